@@ -1,0 +1,90 @@
+"""Evaluate a sympy expression at a rational point in ball arithmetic."""
+
+from collections.abc import Callable, Mapping
+from random import Random
+from typing import Any
+
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+_FUNCTIONS: dict[Any, Callable[[arb], arb]] = {
+    sp.sin: arb.sin, sp.cos: arb.cos, sp.tan: arb.tan, sp.cot: arb.cot,
+    sp.sec: arb.sec, sp.csc: arb.csc, sp.exp: arb.exp, sp.log: arb.log,
+    sp.sinh: arb.sinh, sp.cosh: arb.cosh, sp.tanh: arb.tanh, sp.coth: arb.coth,
+    sp.sech: arb.sech, sp.csch: arb.csch, sp.asin: arb.asin, sp.acos: arb.acos,
+    sp.atan: arb.atan, sp.asinh: arb.asinh, sp.acosh: arb.acosh, sp.atanh: arb.atanh,
+    sp.Abs: abs,
+}  # fmt: skip
+
+Point = Mapping[sp.Expr, sp.Rational]
+
+
+def _power(base: arb, exponent: sp.Expr, point: Point) -> arb:
+    if exponent.is_Integer:
+        return base ** int(exponent)
+    if exponent.is_Rational and exponent.q == 2:
+        return base.sqrt() ** int(exponent.p)
+    return base ** enclosure(exponent, point)
+
+
+def enclosure(expr: sp.Expr, point: Point) -> arb:
+    """Ball that contains the value of expr at the point, at the precision in force.
+
+    Symbols, and unknown functions with their derivatives, take their value from the point.
+    Raises KeyError for one that has none, TypeError for a function without a ball version.
+    """
+    if expr in point:
+        return enclosure(point[expr], {})
+    if expr.is_Rational:
+        return arb(fmpq(int(expr.p), int(expr.q)))
+    if expr is sp.pi:
+        return arb.pi()
+    if expr is sp.E:
+        return arb(1).exp()
+    if expr.is_Symbol or isinstance(expr, sp.Derivative | sp.core.function.AppliedUndef):
+        raise KeyError(f"no value for {expr}")
+    if expr.is_Pow:
+        return _power(enclosure(expr.base, point), expr.exp, point)
+    parts = [enclosure(argument, point) for argument in expr.args]
+    if expr.is_Add:
+        return sum(parts, arb(0))
+    if expr.is_Mul:
+        product = arb(1)
+        for part in parts:
+            product *= part
+        return product
+    if expr.func in _FUNCTIONS:
+        return _FUNCTIONS[expr.func](*parts)
+    raise TypeError(f"no ball version of {expr.func.__name__}")
+
+
+def unknowns(expr: sp.Expr) -> list[sp.Expr]:
+    """Free symbols, unknown functions and derivatives that a point must give a value."""
+    calls = expr.atoms(sp.Derivative) | expr.atoms(sp.core.function.AppliedUndef)
+    inside = set().union(*(call.free_symbols for call in calls)) if calls else set()
+    bare = expr.xreplace({call: sp.Integer(0) for call in sorted(calls, key=_outermost)})
+    return sorted(calls, key=str) + sorted(bare.free_symbols | inside, key=str)
+
+
+def _outermost(call: sp.Expr) -> tuple[int, str]:
+    return (0 if isinstance(call, sp.Derivative) else 1, str(call))
+
+
+def random_point(symbols: list[sp.Expr], rng: Random) -> dict[sp.Expr, sp.Rational]:
+    """Random rational values in (0, 2), of either sign unless a symbol is assumed positive."""
+    values = {s: sp.Rational(rng.randint(1, 13), rng.randint(7, 13)) for s in symbols}
+    return {s: -q if not s.is_positive and rng.random() < 0.5 else q for s, q in values.items()}
+
+
+def nonzero_point(
+    expr: sp.Expr, rng: Random, *, tries: int = 40, bits: int = 128
+) -> tuple[dict[sp.Expr, sp.Rational], str] | None:
+    """Rational point where expr is certainly not 0 and its value there as text, if one is found."""
+    symbols = unknowns(expr)
+    for _ in range(tries):
+        point = random_point(symbols, rng)
+        with ctx.workprec(bits):
+            value = enclosure(expr, point)
+            if value.is_finite() and value != 0:
+                return point, value.str(8, radius=False)
+    return None

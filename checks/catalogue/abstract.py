@@ -1,0 +1,5 @@
+"""Claims of the abstract."""
+
+from checks.claim import Claim
+
+CLAIMS: tuple[Claim, ...] = ()

@@ -1,0 +1,5 @@
+"""Claims of section 1, the introduction."""
+
+from checks.claim import Claim
+
+CLAIMS: tuple[Claim, ...] = ()

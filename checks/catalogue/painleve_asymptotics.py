@@ -1,0 +1,5 @@
+"""Claims of appendix A, asymptotics of Painleve III."""
+
+from checks.claim import Claim
+
+CLAIMS: tuple[Claim, ...] = ()

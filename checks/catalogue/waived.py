@@ -1,0 +1,5 @@
+"""Labels of the paper that state nothing."""
+
+from checks.claim import Waiver
+
+WAIVED: tuple[Waiver, ...] = ()

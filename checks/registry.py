@@ -1,0 +1,123 @@
+"""The registry: every claim of the catalogue, in the paper's order, joined and validated."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from graphlib import CycleError, TopologicalSorter
+
+from checks.catalogue import (
+    abstract,
+    amsler,
+    assembly,
+    asymptotic_complexes,
+    asymptotic_frames,
+    bobbin_front,
+    bobbin_metric,
+    branched_sine_gordon,
+    branched_surfaces,
+    curvature_energy,
+    discussion,
+    elasticity,
+    fronts,
+    fundamental_forms,
+    greedy,
+    hyperbolic_nets,
+    introduction,
+    isometries,
+    normal_map,
+    painleve_asymptotics,
+    recursion,
+    spherical_nets,
+    surgery,
+    waived,
+)
+from checks.claim import Claim, Waiver
+
+_ROOMS = (
+    abstract,
+    introduction,
+    elasticity,
+    isometries,
+    branched_surfaces,
+    asymptotic_frames,
+    fundamental_forms,
+    fronts,
+    bobbin_metric,
+    bobbin_front,
+    amsler,
+    assembly,
+    asymptotic_complexes,
+    normal_map,
+    surgery,
+    branched_sine_gordon,
+    spherical_nets,
+    hyperbolic_nets,
+    greedy,
+    curvature_energy,
+    recursion,
+    discussion,
+    painleve_asymptotics,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Registry:
+    """Claims in the paper's order and the labels waived; unknown ids and cycles are refused.
+
+    Raises ValueError for an id or label given twice, an unknown id in rests_on, or a cycle.
+    """
+
+    claims: tuple[Claim, ...]
+    waived: tuple[Waiver, ...] = ()
+
+    def __post_init__(self) -> None:
+        _refuse_repeats("id", (claim.id for claim in self.claims))
+        labels = [label for claim in self.claims for label in claim.labels]
+        _refuse_repeats("label", labels + [waiver.label for waiver in self.waived])
+        for claim in self.claims:
+            if unknown := sorted(set(claim.rests_on) - self.by_id.keys()):
+                raise ValueError(f"claim {claim.id!r} rests on unknown ids: {', '.join(unknown)}")
+        try:
+            TopologicalSorter({c.id: c.rests_on for c in self.claims}).prepare()
+        except CycleError as error:
+            raise ValueError(
+                f"the claims rest on each other: {' < '.join(error.args[1])}"
+            ) from error
+
+    @cached_property
+    def by_id(self) -> dict[str, Claim]:
+        """Claims by id."""
+        return {claim.id: claim for claim in self.claims}
+
+    @cached_property
+    def ancestors(self) -> dict[str, tuple[str, ...]]:
+        """Ids that each claim rests on, directly or not, in the paper's order."""
+        place = {claim.id: n for n, claim in enumerate(self.claims)}
+        found: dict[str, set[str]] = {}
+        for id_ in TopologicalSorter({c.id: c.rests_on for c in self.claims}).static_order():
+            direct = self.by_id[id_].rests_on
+            found[id_] = set(direct).union(*(found[other] for other in direct))
+        return {id_: tuple(sorted(ids, key=place.__getitem__)) for id_, ids in found.items()}
+
+    @cached_property
+    def descendants(self) -> dict[str, tuple[str, ...]]:
+        """Ids that rest on each claim, directly or not, in the paper's order."""
+        resting: dict[str, list[str]] = {claim.id: [] for claim in self.claims}
+        for claim in self.claims:
+            for ancestor in self.ancestors[claim.id]:
+                resting[ancestor].append(claim.id)
+        return {id_: tuple(ids) for id_, ids in resting.items()}
+
+
+def _refuse_repeats(what: str, values: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for value in values:
+        if value in seen:
+            raise ValueError(f"{what} {value!r} is given twice")
+        seen.add(value)
+
+
+def registry() -> Registry:
+    """Return the registry of the whole paper."""
+    claims = tuple(claim for room in _ROOMS for claim in room.CLAIMS)
+    return Registry(claims=claims, waived=waived.WAIVED)

@@ -1,0 +1,1 @@
+"""Reports: they read a ledger and never run a check."""

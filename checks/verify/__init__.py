@@ -1,0 +1,1 @@
+"""The checks: printed formulas against derived ones."""

@@ -1,0 +1,1 @@
+"""The continuum: derivations (sympy), reference values (mpmath), enclosures (ball arithmetic)."""
