@@ -120,7 +120,7 @@ def vanishes(expr: Any) -> bool:
     Raises TypeError for what is no scalar expression.
     """
     expr = sp.sympify(expr)
-    if not isinstance(expr, sp.Expr):
+    if not isinstance(expr, sp.Expr) or expr.is_Matrix:
         raise TypeError(f"expected a scalar expression, got {type(expr).__name__}")
     expr = _replace_calls(_elementary(expr), (sp.sin, sp.cos), "_t", _half_tangent)
     expr = _replace_calls(expr, (sp.exp,), "_e", _exponential)

@@ -1,0 +1,136 @@
+"""The command line `kminusone`: its commands, and what it says of bad input."""
+
+import os
+import signal
+import sys
+from types import FrameType
+from typing import Any
+
+import click
+
+from checks.errors import BadInput, Interrupted
+
+TESTED = ((3, 11),)
+
+
+def _version_option(context: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted and not context.resilient_parsing:
+        from checks.version import version_line
+
+        click.echo(version_line())
+        context.exit()
+
+
+@click.group(
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.option("--version", is_flag=True, is_eager=True, expose_value=False,
+              callback=_version_option, help="Show the version and the commit.")  # fmt: skip
+@click.pass_context
+def command_line(context: click.Context) -> None:
+    """Check a paper on surfaces of constant negative curvature, claim by claim."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+@command_line.command()
+@click.argument("patterns", metavar="[CLAIM-OR-GLOB]...", nargs=-1)
+@click.option("--section", help="Only this section and its subsections, e.g. 3.1.")
+@click.option("--tier", type=click.Choice(["fast", "full"]), default="fast", show_default=True)
+@click.option("--digits", type=click.IntRange(1, 10000), default=30, show_default=True,
+              help="Decimal digits of the numeric routes.")  # fmt: skip
+@click.option("--jobs", type=click.IntRange(1, 1024), help="Child processes [default: all cores].")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True)
+@click.option("--json", "json_file", metavar="FILE", help="Write the ledger, - for stdout.")
+@click.option("--junit", "junit_file", metavar="FILE", help="Write a JUnit report.")
+def check(**options: Any) -> int:
+    """Run the checks of the claims named (default: all) and print the ledger."""
+    from checks.commands.check import check_command
+
+    return check_command(**options)
+
+
+@command_line.command()
+@click.option("--json", "json_file", metavar="FILE", help="Write the list, - for stdout.")
+@click.option("--verdict", help="Only claims expected to end so.")
+@click.option("--kind", help="Only claims of this kind, e.g. lemma.")
+def claims(**options: Any) -> int:
+    """List the catalogue with the verdicts expected, without running a check."""
+    from checks.commands.claims import claims_command
+
+    return claims_command(**options)
+
+
+@command_line.command()
+@click.argument("claim")
+@click.option("--json", "json_file", metavar="FILE", help="Write the explanation, - for stdout.")
+def explain(claim: str, json_file: str | None) -> int:
+    """Tell all there is about a claim: statement, checks, mutants, evidence, erratum."""
+    from checks.commands.explain import explain_command
+
+    return explain_command(claim, json_file)
+
+
+@command_line.command()
+@click.option("--json", "json_file", metavar="FILE", help="Write the difference, - for stdout.")
+def pin(json_file: str | None) -> int:
+    """Take the outcomes of the last run as the expected ones, and print what changes."""
+    from checks.commands.pin import pin_command
+
+    return pin_command(json_file)
+
+
+@command_line.command()
+@click.option("--json", "json_file", metavar="FILE", help="Write what was built, - for stdout.")
+def notes(json_file: str | None) -> int:
+    """Build notes/ledger.md and notes/errata.md from notes/ledger.json."""
+    from checks.commands.notes import notes_command
+
+    return notes_command(json_file)
+
+
+def _warn_of_untested_python() -> None:
+    if sys.version_info[:2] not in TESTED:
+        tested = ", ".join(f"{major}.{minor}" for major, minor in TESTED)
+        running = f"{sys.version_info.major}.{sys.version_info.minor}"
+        click.echo(f"warning: Python {running} is not tested (tested: {tested})", err=True)
+
+
+def _terminated(_signal: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def _say(text: str) -> None:
+    click.echo(f"kminusone: {' '.join(text.split())}", err=True)
+
+
+def run(arguments: list[str]) -> int:
+    """Run the command line and return its exit code (design: 0, 1, 2, 3, 4 or 130)."""
+    try:
+        result = command_line.main(arguments, prog_name="kminusone", standalone_mode=False)
+        sys.stdout.flush()
+    except click.ClickException as error:
+        _say(error.format_message())
+        return 2
+    except BadInput as error:
+        _say(str(error))
+        return 2
+    except BrokenPipeError:
+        # The reader has gone: keep the interpreter from complaining when it flushes.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Interrupted as error:
+        _say(str(error))
+        return 130
+    except (KeyboardInterrupt, click.Abort):
+        _say("interrupted; nothing was written")
+        return 130
+    return result if isinstance(result, int) else 0
+
+
+def main() -> None:
+    """Entry point of the console script."""
+    signal.signal(signal.SIGTERM, _terminated)
+    _warn_of_untested_python()
+    sys.exit(run(sys.argv[1:]))

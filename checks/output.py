@@ -1,0 +1,46 @@
+"""Where results go: files that were found writable beforehand, or stdout."""
+
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import click
+
+from checks.errors import BadInput
+from checks.files import canonical_json, write_whole
+
+STDOUT = "-"
+
+
+def require_writable(name: str | None) -> None:
+    """Refuse an output file that could not be written at the end; raises BadInput."""
+    if name is None or name == STDOUT:
+        return
+    path = Path(name)
+    if path.is_dir():
+        raise BadInput(f"cannot write {name}: it is a folder, name a file in it")
+    if not path.parent.is_dir():
+        raise BadInput(f"cannot write {name}: the folder {path.parent} does not exist, create it")
+    try:
+        # Only an attempt tells: permissions, a read-only disk, a file system that takes no files.
+        tempfile.TemporaryFile(dir=path.parent).close()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise BadInput(f"cannot write {name}: {reason}, choose another place") from error
+
+
+def write_text(name: str, text: str) -> None:
+    """Write text to the file whole, or to stdout; raises BadInput where that fails."""
+    if name == STDOUT:
+        click.echo(text, nl=False)
+        return
+    try:
+        write_whole(Path(name), text)
+    except OSError as error:
+        raise BadInput(f"cannot write {name}: {error.strerror or error}") from error
+
+
+def write_json(name: str | None, data: Any) -> None:
+    """Write data as JSON to the file or to stdout, or nowhere where there is no name."""
+    if name is not None:
+        write_text(name, canonical_json(data))
