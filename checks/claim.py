@@ -128,6 +128,9 @@ class Claim:
         _require(self.section in SECTIONS, f"claim {self.id!r}: unknown section {self.section!r}")
         _require(self.kind in get_args(Kind), f"claim {self.id!r}: unknown kind {self.kind!r}")
         _require(bool(self.statement.strip()), f"claim {self.id!r} states nothing")
+        for name in ("labels", "hypotheses", "rests_on", "checks", "waits_for"):
+            sort = type(getattr(self, name)).__name__
+            _require(sort == "tuple", f"claim {self.id!r}: {name} must be a tuple, not a {sort}")
         names = [check.name for check in self.checks]
         _require(len(set(names)) == len(names), f"claim {self.id!r} repeats a check's name")
         _require(self.id not in self.rests_on, f"claim {self.id!r} rests on itself")

@@ -1,5 +1,644 @@
-"""Claims of the opening of section 3."""
+"""Claims opening section 3: the isometry problem, saddles and branch points, the hyperbolic plane."""
 
-from checks.claim import Claim
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
-CLAIMS: tuple[Claim, ...] = ()
+_V = "checks.verify.branched_surfaces:"
+_PLANE = "checks.verify.hyperbolic_plane:"
+_PIECES = "checks.verify.finite_pieces:"
+_INTRO = "checks.verify.introduction:"
+_AMSLER = "checks.verify.amsler:"
+
+_ISOMETRIES: tuple[Claim, ...] = (
+    Claim(
+        id="W22isometry",
+        section="3",
+        where="equation (W22isometry), lines 217-220",
+        kind="definition",
+        statement=(
+            r"An isometry of class $W^{2,2}$ of $(\Omega, g)$: $y \in "
+            r"W^{2,2}_{\mathrm{loc}}(\Omega, \mathbb{R}^3)$ with $dy \cdot dy = g$ "
+            "almost everywhere."
+        ),
+        labels=("W22isometry",),
+        checks=(
+            Check(
+                name="instances and near-misses",
+                run=_V + "isometry_problem",
+                routes=(
+                    "induced metrics and jumps of four maps",
+                    "membership known by hand",
+                ),
+                mutants=(
+                    Mutant(name="no isometry asked", given={"isometric": False}),
+                    Mutant(name="no second derivatives asked", given={"sobolev": False}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.gauss-map",
+        section="3",
+        where="section 3, line 221",
+        kind="equation",
+        statement=(
+            r"The Gauss normal map of a $C^1$ map $y$ is $N = \partial_1 y \times "
+            r"\partial_2 y/\|\partial_1 y \times \partial_2 y\|$ in arbitrary "
+            "coordinates $(x^1, x^2)$."
+        ),
+        hypotheses=(
+            (
+                r"(used, not stated) $y$ is an immersion: $\partial_1 y \times \partial_2 y "
+                r"\ne 0$"
+            ),
+        ),
+        checks=(
+            Check(
+                name="printed",
+                run=_V + "gauss_map",
+                routes=(
+                    "the formula in one coordinate system",
+                    "the formula after linear changes of coordinates",
+                ),
+                mutants=(Mutant(name="twice the vector", given={"order": 2}),),
+            ),
+            Check(
+                name="coordinates of one orientation",
+                run=_V + "gauss_map",
+                form="corrected",
+                given={"orientation_preserving": True},
+                routes=(
+                    "the formula in one coordinate system",
+                    "the formula after linear changes of coordinates",
+                ),
+                mutants=(
+                    Mutant(name="twice the vector", given={"order": 2}),
+                    Mutant(
+                        name="orientation reversed too", given={"orientation_preserving": False}
+                    ),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="$N$ is given by the formula in arbitrary coordinates",
+            corrected="in arbitrary coordinates of one orientation",
+            kind="hypothesis",
+            witness="exchanging $x^1$ and $x^2$ turns $N$ into $-N$",
+            conclusion_survives=True,
+            remark=(
+                "item (F) of section 3.1 removes the ambiguity; (thmegrg) needs it too,"
+                " the sign of $dA$ going with that of $N$"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.normal-c1",
+        section="3",
+        where="section 3, line 221",
+        kind="sentence",
+        statement="If $y$ and $g$ are $C^2$ then $N$ is $C^1$.",
+        hypotheses=("(used, not stated) $y$ is an immersion",),
+        rests_on=("3.gauss-map",),
+        checks=(
+            Check(
+                name="graph with a limited number of derivatives",
+                run=_V + "normal_is_c1",
+                routes=(
+                    "normal as a function of the gradient",
+                    "orders of the derivatives at the kink",
+                ),
+                mutants=(
+                    Mutant(name="a graph of class C^{1,1}", given={"halves": 4}),
+                    Mutant(name="a graph of class C^{1,1/2}", given={"halves": 3}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="thmegrg",
+        section="3",
+        where="equation (thmegrg), lines 221-226",
+        kind="equation",
+        statement=(
+            "For $y$, $g$ of class $C^2$ the isometry problem (W22isometry) is "
+            r"equivalent to $N \cdot dy = 0$, $N^*(d\Omega) = \kappa\,dA$, $\kappa$ and "
+            "$dA$ being those of $g$."
+        ),
+        labels=("thmegrg",),
+        hypotheses=("(used, not stated) $N$ is the normal of the orientation of $dA$",),
+        rests_on=(
+            "W22isometry",
+            "3.gauss-map",
+            "3.normal-c1",
+        ),
+        checks=(
+            Check(
+                name="printed",
+                run=_V + "exterior_system",
+                routes=(
+                    "Riemann tensor of the metric of an unknown graph",
+                    "pull-back by its normal",
+                ),
+                mutants=(Mutant(name="opposite sign", given={"sign": -1}),),
+            ),
+            Check(
+                name="isometries solve the system",
+                run=_V + "exterior_system",
+                form="corrected",
+                given={"converse": False},
+                routes=(
+                    "Riemann tensor of the metric of an unknown graph",
+                    "pull-back by its normal",
+                ),
+                mutants=(
+                    Mutant(name="opposite sign", given={"sign": -1}),
+                    Mutant(name="dA squared", given={"area_power": 2}),
+                    Mutant(name="converse claimed", given={"converse": True}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="(W22isometry) is equivalent to (thmegrg)",
+            corrected=r"(W22isometry) implies (thmegrg); the converse needs $dy \cdot dy = g$",
+            kind="false",
+            witness=(
+                "with $y$ an isometry, $2y$ has the same $N$, so it solves (thmegrg) "
+                r"with the $\kappa\,dA$ of $g$; its metric is $4g$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"where $\kappa$ is constant, $y \circ f$ with $f$ preserving the area "
+                r"solves it too: the system prescribes only $\kappa\,dA$"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.smooth-solutions-saddle",
+        section="3",
+        where="section 3, line 228",
+        kind="sentence",
+        statement=(
+            r"Smooth solutions of (thmegrg) with $\kappa < 0$ are hyperbolic surfaces, "
+            "locally saddle shaped."
+        ),
+        rests_on=("thmegrg",),
+        checks=(
+            Check(
+                name="second form",
+                run=_V + "locally_saddle",
+                routes=(
+                    "second form of an unknown graph",
+                    "Riemann tensor of its metric",
+                ),
+                mutants=(
+                    Mutant(name="positive curvature", given={"curvature": 1}),
+                    Mutant(name="curvature 0", given={"curvature": 0}),
+                    Mutant(name="three sectors above", given={"above": 3}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.metric-extends",
+        section="3",
+        where="section 3, line 232",
+        kind="sentence",
+        statement=(
+            r"A smooth metric of negative curvature on a bounded domain $\Omega \subset "
+            r"\mathbb{R}^2$ with smooth boundary extends to a smooth metric on "
+            r"$\mathbb{R}^2$ of negative curvature, decaying at infinity as rapidly as "
+            "desired."
+        ),
+        hypotheses=(
+            r"$\Omega$ is bounded with smooth boundary",
+            "(used, not stated) the metric is smooth up to the boundary",
+        ),
+        checks=(
+            Check(
+                name="printed",
+                run=_PIECES + "metric_extension",
+                routes=(
+                    "Jacobi equation of the outer collar",
+                    "Gauss-Bonnet on a disk that fills a hole",
+                ),
+                mutants=(Mutant(name="K no more negative than before", given={"stiffness": 1}),),
+            ),
+            Check(
+                name="simply connected domains",
+                run=_PIECES + "metric_extension",
+                form="corrected",
+                given={"simply_connected": True},
+                routes=(
+                    "Jacobi equation of the outer collar",
+                    "comparison of solutions in exponentials",
+                ),
+                mutants=(
+                    Mutant(name="holes admitted", given={"simply_connected": False}),
+                    Mutant(name="curvature -4 C^2 on the collar", given={"stiffness": 2}),
+                    Mutant(name="curvature -C^2 on the collar", given={"stiffness": 1}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="every such metric on a bounded domain with smooth boundary extends",
+            corrected=r"if $\Omega$ is simply connected",
+            kind="hypothesis",
+            witness=(
+                r"the annulus $|s| < 1$ of the bobbin with $\kappa = 2$: its throat is a"
+                r" closed geodesic, and a disk filling it would have $\iint K\,dA = "
+                r"2\pi$ by Gauss-Bonnet"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "the corrected form is proved by Fermi coordinates along the one boundary curve"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.hong-realisation",
+        section="3",
+        where="section 3, line 232",
+        kind="sentence",
+        statement=(
+            r"Smooth metrics on $\mathbb{R}^2$ whose negative curvature decays have "
+            r"smooth isometric immersions in $\mathbb{R}^3$."
+        ),
+        hypotheses=(
+            (
+                "(used, not stated) the metric is complete, and the curvature decays at the"
+                " rate, and as regularly, as the theorem of Hong asks"
+            ),
+        ),
+        citation=Citation(
+            source=(
+                r"J. X. Hong, Realization in $\mathbb{R}^3$ of complete Riemannian "
+                "manifolds with negative curvature, Comm. Anal. Geom. 1 (1993) 487-514"
+            ),
+            reason=(
+                "global existence for a nonlinear hyperbolic system, by a priori "
+                "estimates on the whole plane: no computation of ours decides it. That "
+                "metrics on disks extend to such metrics is checked in 3.metric-extends"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.bounded-embeds",
+        section="3",
+        where="section 3, line 232",
+        kind="sentence",
+        statement=(
+            "Bounded smooth hyperbolic surfaces have smooth isometric embeddings in "
+            r"$\mathbb{R}^3$."
+        ),
+        rests_on=(
+            "3.metric-extends",
+            "3.hong-realisation",
+        ),
+        checks=(
+            Check(
+                name="printed",
+                run=_PIECES + "finite_piece",
+                routes=(
+                    "bobbins of every throat curvature",
+                    "closed surface of genus 2 from a regular octagon",
+                ),
+                mutants=(Mutant(name="bobbins too short", given={"throat": "half"}),),
+            ),
+            Check(
+                name="disks of curvature -1, immersed",
+                run=_PIECES + "finite_piece",
+                form="corrected",
+                given={"closed": False, "embedded": False},
+                routes=(
+                    "first form and Gauss curvature of the bobbin",
+                    "Fermi coordinates of H^2",
+                ),
+                mutants=(
+                    Mutant(name="closed surfaces too", given={"closed": True}),
+                    Mutant(name="embedded", given={"embedded": True}),
+                    Mutant(name="bobbins of throat curvature sinh R", given={"throat": "sinh"}),
+                    Mutant(name="bobbins of throat curvature cosh(R/2)", given={"throat": "half"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="bounded smooth hyperbolic surfaces are embedded",
+            corrected=(
+                r"bounded subsets of $\mathbb{H}^2$ (of simply connected surfaces, with "
+                "Hong) are immersed"
+            ),
+            kind="hypothesis",
+            witness=(
+                "the closed surface of genus 2 and curvature $-1$ is bounded; in "
+                r"$\mathbb{R}^3$ it would have $K > 0$ where it is farthest from the "
+                "origin"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "the theorem named yields immersions: the bobbin's is not injective on "
+                "a disk of radius 2"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.c2-cannot-refine",
+        section="3",
+        where="section 3, line 232",
+        kind="sentence",
+        statement="A $C^2$ hyperbolic surface cannot refine its buckling pattern.",
+        hypotheses=("(used, not stated) refining means points with more than four sectors",),
+        rests_on=(
+            "3.c2-saddle",
+            "lem:covering-number",
+            "3.2.undulations-persist",
+        ),
+        waits_for=("3.2",),
+    ),
+)
+
+_BRANCHED: tuple[Claim, ...] = (
+    Claim(
+        id="3.frilly-costs-less",
+        section="3",
+        where="section 3, line 234",
+        kind="sentence",
+        statement=(
+            "Surfaces that buckle on many scales can have less bending energy than the "
+            "smooth saddle of the same metric."
+        ),
+        hypotheses=("(used, not stated) the disk is large",),
+        rests_on=(
+            "ebs",
+            "e2",
+        ),
+        waits_for=("5",),
+    ),
+    Claim(
+        id="3.c2-saddle",
+        section="3",
+        where="section 3, line 234",
+        kind="sentence",
+        statement="A $C^2$ hyperbolic surface is saddle-like near every point.",
+        checks=(
+            Check(
+                name="second form",
+                run=_V + "locally_saddle",
+                routes=(
+                    "second form of an unknown graph",
+                    "Riemann tensor of its metric",
+                ),
+                mutants=(
+                    Mutant(name="positive curvature", given={"curvature": 1}),
+                    Mutant(name="curvature 0", given={"curvature": 0}),
+                    Mutant(name="three sectors above", given={"above": 3}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.winding-number",
+        section="3",
+        where="section 3, line 234",
+        kind="sentence",
+        statement=(
+            "The winding number of the normal map at a branch point tells surfaces with"
+            " further undulations from saddles."
+        ),
+        rests_on=(
+            "lem:covering-number",
+            "fig:winding_number_normalfield",
+        ),
+        checks=(
+            Check(
+                name="index of star saddles",
+                run=_INTRO + "index",
+                routes=(
+                    "gradient of the quadratic saddle on the rays",
+                    "order of the star",
+                ),
+                mutants=(
+                    Mutant(name="2 - m", given={"offset": 2}),
+                    Mutant(name="1 + m", given={"slope": 1}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.branched-only-c11",
+        section="3",
+        where="section 3, line 234",
+        kind="sentence",
+        statement=(
+            "With branch points the surface is of class $C^{1,1}$ and no better, as the"
+            " monkey saddle is."
+        ),
+        rests_on=(
+            "3.c2-saddle",
+            "3.2.immersion-c11",
+        ),
+        checks=(
+            Check(
+                name="quadratic saddle",
+                run=_V + "only_c11",
+                routes=(
+                    "gradients across a ray between arbitrary angles",
+                    "Hessians across the rays of the regular star",
+                ),
+                mutants=(Mutant(name="a star of order 2", given={"order": 2}),),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.refining-lowers-energy",
+        section="3",
+        where="section 3, line 234",
+        kind="sentence",
+        statement=(
+            "Branch points let a surface refine its buckling pattern and so lower its "
+            "energy; smooth saddles cannot."
+        ),
+        rests_on=(
+            "ebs",
+            "e2",
+            "lem:surgery",
+        ),
+        waits_for=(
+            "3.4",
+            "5",
+        ),
+    ),
+    Claim(
+        id="3.branched-paraboloid",
+        section="3",
+        where="section 3, line 237",
+        kind="example",
+        statement=(
+            "The branched hyperbolic paraboloid is a hyperbolic surface of class $C^{1,1}$."
+        ),
+        checks=(
+            Check(
+                name="quadratic saddle of order 3",
+                run=_V + "branched_paraboloid",
+                routes=(
+                    "form that vanishes on both rays of a sector",
+                    "determinants and gradients",
+                ),
+                mutants=(
+                    Mutant(name="positive determinant", given={"determinant": 1}),
+                    Mutant(name="a star of order 2", given={"order": 2}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.rozendorn-complete",
+        section="3",
+        where="section 3, line 237",
+        kind="sentence",
+        statement=(
+            r"There are $C^{1,1}$ immersions in $\mathbb{R}^3$ of complete surfaces with"
+            r" $K \le -\delta < 0$ that are smooth except at finitely many points."
+        ),
+        rests_on=("3.branched-paraboloid",),
+        citation=Citation(
+            source=(
+                r"E. R. Rozendorn, On complete surfaces of negative curvature $K \le -1$"
+                " in the Euclidean spaces $E_3$ and $E_4$, Mat. Sb. 58 (1962) 453-478; "
+                "Weakly irregular surfaces of negative curvature, Uspehi Mat. Nauk 21 "
+                "(1966) 59-116"
+            ),
+            reason=(
+                "an explicit surface put together from infinite pieces, of which the "
+                "paper gives no formula to compute with; its model at a branch point is"
+                " checked in 3.branched-paraboloid"
+            ),
+        ),
+    ),
+    Claim(
+        id="3.exact-metric",
+        section="3",
+        where="section 3, line 237",
+        kind="sentence",
+        statement=(
+            "Surfaces glued of Amsler sectors have the prescribed metric, $K = -1$, exactly."
+        ),
+        rests_on=("3.1.amsler-construction",),
+        checks=(
+            Check(
+                name="curvature of an Amsler sector",
+                run=_AMSLER + "construction",
+                routes=(
+                    "Riemann tensor of the metric",
+                    "Christoffel symbols on the axes",
+                ),
+                mutants=(
+                    Mutant(name="opposite sign", given={"sign": -1}),
+                    Mutant(name="angle not constant on the u-axis", given={"tilt_u": 1}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="3.larger-singular-set",
+        section="3",
+        where="section 3, line 237",
+        kind="sentence",
+        statement=(
+            "At prescribed $K = -1$ the set where the surface is only $C^{1,1}$ is "
+            "larger than the finite one of Rozendorn."
+        ),
+        hypotheses=(
+            (
+                "(used, not stated) there is a branch point, and the sectors at it are "
+                "$C^2$ up to their edges"
+            ),
+        ),
+        rests_on=("3.branched-only-c11",),
+        checks=(
+            Check(
+                name="jumps across the rays",
+                run=_V + "singular_set",
+                routes=(
+                    "Hessians of the quadratic saddle",
+                    "cotangents of neighbouring angles",
+                ),
+                mutants=(
+                    Mutant(name="branch point isolated", given={"isolated": True}),
+                    Mutant(name="a star of order 2", given={"order": 2}),
+                ),
+            ),
+        ),
+    ),
+)
+
+_PLANE_CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="def:H2",
+        section="3",
+        where="definition (def:H2), lines 239-241",
+        kind="definition",
+        statement=(
+            r"$\mathbb{H}^2$ is the maximally symmetric simply connected surface of "
+            "constant curvature $-1$; a model is the disk $x^2 + y^2 < 1$ with $g = "
+            "4(dx^2 + dy^2)/(1 - (x^2 + y^2))^2$."
+        ),
+        labels=("def:H2",),
+        checks=(
+            Check(
+                name="metric",
+                run=_PLANE + "metric",
+                part="metric",
+                routes=(
+                    "metric of the hyperboloid in its disk",
+                    "the printed factor",
+                ),
+                mutants=(
+                    Mutant(name="factor 1 for 4", given={"numerator": 1}),
+                    Mutant(name="power 1 for 2", given={"power": 1}),
+                ),
+            ),
+            Check(
+                name="curvature",
+                run=_PLANE + "curvature",
+                part="curvature",
+                routes=(
+                    "Laplacian of the logarithm of the factor",
+                    "the value -1",
+                ),
+                mutants=(
+                    Mutant(name="factor 1 for 4", given={"numerator": 1}),
+                    Mutant(name="power 1 for 2", given={"power": 1}),
+                    Mutant(name="curvature 1", given={"value": 1}),
+                ),
+            ),
+            Check(
+                name="Killing fields",
+                run=_PLANE + "symmetry",
+                part="symmetry",
+                routes=(
+                    "Killing's equation on polynomials",
+                    "the largest dimension 3",
+                ),
+                mutants=(
+                    Mutant(name="power 1 for 2", given={"power": 1}),
+                    Mutant(name="power 3 for 2", given={"power": 3}),
+                ),
+            ),
+            Check(
+                name="length of the radii",
+                run=_PLANE + "completeness",
+                part="completeness",
+                routes=(
+                    "pole of the factor at the boundary",
+                    "convexity of the disk",
+                ),
+                mutants=(Mutant(name="power 1 for 2", given={"power": 1}),),
+            ),
+        ),
+    ),
+)
+
+CLAIMS: tuple[Claim, ...] = (
+    *_ISOMETRIES,
+    *_BRANCHED,
+    *_PLANE_CLAIMS,
+)

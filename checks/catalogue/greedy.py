@@ -1,5 +1,247 @@
-"""Claims of section 4.1, the greedy algorithm and its dual."""
+"""Claims of section 4.1, the greedy algorithm: its start, its result, termination and covering."""
 
 from checks.claim import Claim
 
-CLAIMS: tuple[Claim, ...] = ()
+_SMALL = (
+    r"(used, not stated) $\Delta$ is small against the distance of the cut from the axes, so "
+    r"that $j^*, k^* \geq 1$"
+)
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="alg:greedy-cuts",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), lines 1300-1333",
+        kind="algorithm",
+        statement=(
+            r"From $R$, $m$, $\phi^*$ and $\Delta$ the greedy algorithm makes a branched "
+            r"hyperbolic Chebyshev net that covers the disk of radius $R$, with $\varphi \leq "
+            r"\phi^*$ at every node, and its $K$-surface."
+        ),
+        labels=("alg:greedy-cuts", "algorithm1"),
+        hypotheses=(
+            r"$M = 2m \geq 4$, $\phi^* \in (\pi/m, \pi)$",
+            (
+                r"(used, not stated) $\varphi$ is measured without sign: (eq:angle) as printed "
+                r"is negative in the sectors $\Omega_{M+2}$, whose $v$-axis lies clockwise of "
+                "the $u$-axis"
+            ),
+            _SMALL,
+            "(used, not stated) the repetition ends",
+        ),
+        rests_on=(
+            "4.1.algorithm-27-k-surface",
+            "poincare-ddg",
+            "eq:angle",
+            "eq:trisect",
+            "eq:poincare-surgery",
+        ),
+    ),
+    Claim(
+        id="4.1.algorithm-01-sectors",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 1, line 1304",
+        kind="algorithm",
+        statement=r"The number of initial sectors is $M = 2m \geq 4$.",
+        hypotheses=(
+            "(used, not stated) $M$ is also the running number of sectors, from step 24 on",
+        ),
+    ),
+    Claim(
+        id="4.1.algorithm-01-cutoff",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 1, line 1304",
+        kind="algorithm",
+        statement=(
+            r"The cutoff angle is $\phi^* \in (\pi/m, \pi)$, so that the initial sectors start "
+            "below it."
+        ),
+        hypotheses=(r"the initial sectors have the angle $\pi/m$",),
+    ),
+    Claim(
+        id="4.1.algorithm-01-nodes",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 1, line 1304",
+        kind="algorithm",
+        statement=(
+            r"$N = \lceil 2R/\Delta \rceil$ nodes along each axis are enough for every sector to "
+            "reach the circle of radius $R$."
+        ),
+        hypotheses=(
+            r"$\Delta$ is the spacing of the nodes",
+            (
+                "(used, not stated) every $u$- and $v$-line of a sector leaves the disk within "
+                "the length $2R$, also where it is not a geodesic"
+            ),
+        ),
+        rests_on=("eq:hyp_radius",),
+    ),
+    Claim(
+        id="4.1.algorithm-02-empty-sectors",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 2, line 1305",
+        kind="algorithm",
+        statement=r"The list of sectors starts as $\Omega_1, \ldots, \Omega_M$, each empty.",
+        rests_on=("4.1.algorithm-01-sectors",),
+    ),
+    Claim(
+        id="4.1.algorithm-03-each-sector",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 3, line 1306",
+        kind="algorithm",
+        statement=r"Steps 4 to 8 are done for each initial sector $n = 1, \ldots, M$.",
+        rests_on=("4.1.algorithm-02-empty-sectors",),
+    ),
+    Claim(
+        id="4.1.algorithm-04-axes",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 4, line 1307",
+        kind="algorithm",
+        statement=(
+            r"The axes of sector $n$ are $\zeta^n_{j,0} = e^{i\pi(n-1)/m}\tanh\frac{j\Delta}{2}$ "
+            r"and $\zeta^n_{0,k} = e^{i\pi n/m}\tanh\frac{k\Delta}{2}$, $0 \leq j, k \leq N$: "
+            r"$2m$ geodesics from the origin at equal angles $\pi/m$."
+        ),
+        hypotheses=(
+            (
+                "(used, not stated) between neighbouring sectors the marks $u$ and $v$ are "
+                "exchanged, else their common ray is a $v$-line of one and a $u$-line of the "
+                "other"
+            ),
+        ),
+        rests_on=("geodesics",),
+    ),
+    Claim(
+        id="4.1.algorithm-05-fill",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 5, line 1308",
+        kind="algorithm",
+        statement=(
+            r"The nodes $\zeta^n_{j,k}$ with $1 \leq j, k \leq n$ follow from (poincare-ddg) one "
+            "by one, where $n$ is the number of the sector."
+        ),
+        hypotheses=(r"(used, not stated) the range is $1 \leq j, k \leq N$",),
+        rests_on=("poincare-ddg", "4.1.algorithm-04-axes"),
+    ),
+    Claim(
+        id="4.1.algorithm-06-discard",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 6, line 1309",
+        kind="algorithm",
+        statement=(
+            r"A node $\zeta^n_{j,k}$ is discarded when $\zeta^n_{j-1,k}$ and $\zeta^n_{j,k-1}$ "
+            "are both outside the disk of radius $R$; no node inside the disk is lost."
+        ),
+        hypotheses=(
+            r"(used, not stated) $j, k \geq 1$: on an axis only one of the two predecessors exists",
+            "(used, not stated) a discarded predecessor counts as outside",
+            "(used, not stated) radii increase along the lines that leave the disk",
+        ),
+        rests_on=("4.1.algorithm-05-fill", "eq:hyp_radius"),
+    ),
+    Claim(
+        id="4.1.algorithm-07-sector",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 7, line 1310",
+        kind="algorithm",
+        statement=(
+            r"$\Omega_n$ is the set of all $\zeta^n_{j,k}$, $j, k \leq N$, that were not "
+            "discarded."
+        ),
+        rests_on=("4.1.algorithm-06-discard",),
+    ),
+    Claim(
+        id="4.1.algorithm-08-angles",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 8, line 1311",
+        kind="algorithm",
+        statement=(
+            r"$\varphi^n_{j,k}$ is computed by (eq:angle) at the nodes of which "
+            r"$\zeta^n_{j+1,k}$ and $\zeta^n_{j,k+1}$ are in $\Omega_n$."
+        ),
+        rests_on=("4.1.algorithm-07-sector", "eq:angle"),
+    ),
+    Claim(
+        id="4.1.algorithm-26-quadgraph",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 26, line 1329",
+        kind="algorithm",
+        statement=(
+            "$Q$ is the quadgraph of the hyperbolic Chebyshev net formed by all "
+            r"$\zeta^n_{j,k}$, nodes on common axes being one node."
+        ),
+        hypotheses=("(used, not stated) nodes are taken without those excised or discarded",),
+        rests_on=("4.1.algorithm-07-sector", "4.1.hyperbolic-chebyshev-net"),
+    ),
+    Claim(
+        id="4.1.algorithm-27-k-surface",
+        section="4.1",
+        where="algorithm (alg:greedy-cuts), step 27, line 1330",
+        kind="algorithm",
+        statement=(
+            r"A $K$-surface $r : Q \to \mathbb{R}^3$ is built from the side lengths and angles "
+            "of the net."
+        ),
+        rests_on=("4.1.algorithm-26-quadgraph", "4.1.planar-stars"),
+    ),
+    Claim(
+        id="4.1.arbitrarily-large-disks",
+        section="4.1",
+        where="section 4.1, line 1299",
+        kind="sentence",
+        statement=(
+            "Repeated surgery gives branched isometric immersions of geodesic disks of every "
+            "radius."
+        ),
+        hypotheses=("(used, not stated) for every $R$ the algorithm ends",),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="fig:surgery",
+        section="4.1",
+        where="figure (fig:surgery), lines 1334-1359",
+        kind="figure",
+        statement=(
+            "The last step in pictures: rhombi of the net in the disk go to skew rhombi of "
+            r"$\mathbb{R}^3$, which make up the discrete surface."
+        ),
+        labels=("fig:surgery",),
+        rests_on=("4.1.algorithm-27-k-surface",),
+    ),
+    Claim(
+        id="4.1.branch-point-neighbourhood",
+        section="4.1",
+        where="section 4.1, line 1361",
+        kind="sentence",
+        statement=(
+            "Each branch point lies in the interior of the union of four sectors: the one that "
+            "was cut and the three attached there."
+        ),
+        hypotheses=(
+            "the branch point is not the origin",
+            _SMALL,
+            (
+                "(used, not stated) the sectors are numbered by the branch point, which is not "
+                "the numbering of the algorithm"
+            ),
+        ),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="4.1.finite-if-covered",
+        section="4.1",
+        where="section 4.1, line 1361",
+        kind="sentence",
+        statement=(
+            "If the sectors cover the closed disk, there are finitely many branch points, "
+            "because the disk is compact."
+        ),
+        hypotheses=(
+            (
+                "(used, not stated) finitely many sectors cover, or branch points do not "
+                "accumulate on the common boundary of sectors"
+            ),
+        ),
+        rests_on=("4.1.branch-point-neighbourhood",),
+    ),
+)

@@ -1,0 +1,176 @@
+"""Claims of section 5.1, the tree of branch points: its shape, size and depth."""
+
+from checks.claim import Claim
+
+_TREE = r"$R = 4$, $\phi_0 = \pi/2$, $\phi^* = 3\pi/4$"
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="5.1.runs-to-radius-10",
+        section="5.1",
+        where="section 5.1, line 1466",
+        kind="sentence",
+        statement=(
+            r"The greedy algorithm runs to the end on disks of radius $R \leq 10$ for several "
+            r"initial angles $\phi_0$ and cutoffs $\phi^*$."
+        ),
+        hypotheses=(r"(used, not stated) $\phi_0 = \pi/m$; the values are not listed",),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="fig:branch-tree",
+        section="5.1",
+        where="figure (fig:branch-tree), lines 1466-1473 and 1490",
+        kind="figure",
+        statement=(
+            "The branch points in a disk of radius $4$, with lines from parents to daughters: "
+            "four generations."
+        ),
+        labels=("fig:branch-tree",),
+        hypotheses=(_TREE, r"(used, not stated) $\Delta$ is not given"),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="5.1.unique-parent",
+        section="5.1",
+        where="section 5.1, line 1466",
+        kind="sentence",
+        statement="Each branch point has one parent, so that the branch points form a tree.",
+        hypotheses=(
+            "(used, not stated) rooted at the origin, which is no branch point when $m = 2$",
+        ),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="5.1.at-most-three-daughters",
+        section="5.1",
+        where="section 5.1, lines 1466 and 1585",
+        kind="sentence",
+        statement="No branch point but the origin has more than three daughters.",
+        hypotheses=("(used, not stated) a sector is cut at most once",),
+        rests_on=("5.1.unique-parent", "4.1.algorithm-14-excise"),
+    ),
+    Claim(
+        id="5.1.leaves-at-different-depths",
+        section="5.1",
+        where="section 5.1, line 1466",
+        kind="sentence",
+        statement="Not all leaves of the tree belong to one generation.",
+        hypotheses=(_TREE,),
+        rests_on=("fig:branch-tree",),
+    ),
+    Claim(
+        id="5.1.amsler-nodes-farther",
+        section="5.1",
+        where="section 5.1, line 1466",
+        kind="sentence",
+        statement=(
+            "Successive Amsler nodes, on the diagonals, are typically farther apart than "
+            "successive pseudo-Amsler nodes."
+        ),
+        hypotheses=(
+            _TREE,
+            "(used, not stated) typically is not made precise: read as a comparison of means",
+        ),
+        rests_on=("fig:branch-tree", "def:amsler-sector"),
+    ),
+    Claim(
+        id="5.1.branch-free-region",
+        section="5.1",
+        where="section 5.1, line 1584",
+        kind="sentence",
+        statement=(
+            "From (ebs), and (e2) on parts without branch points, no disk of radius about "
+            r"$\sqrt{R}$ is free of branch points."
+        ),
+        hypotheses=(
+            r"(used, not stated) about: a large enough constant times $\sqrt{R}$",
+            "(used, not stated) the immersion attains the order of the infimum in (ebs)",
+        ),
+        rests_on=("e2", "ebs"),
+    ),
+    Claim(
+        id="5.1.area-of-disk",
+        section="5.1",
+        where="section 5.1, line 1585",
+        kind="sentence",
+        statement=r"The area of a disk of radius $R$ scales like $\exp(R)$.",
+        hypotheses=(r"(used, not stated) as $R \to \infty$",),
+        rests_on=("def:H2",),
+    ),
+    Claim(
+        id="5.1.area-free-of-branch-points",
+        section="5.1",
+        where="section 5.1, line 1585",
+        kind="sentence",
+        statement=(
+            r"The largest part free of branch points has area at most of order $\exp(\sqrt{R})$."
+        ),
+        hypotheses=(
+            "(used, not stated) the part is a disk",
+            r"(used, not stated) the constant in front of $\sqrt{R}$ is $1$",
+        ),
+        rests_on=("5.1.branch-free-region", "5.1.area-of-disk"),
+    ),
+    Claim(
+        id="5.1.number-of-branch-points",
+        section="5.1",
+        where="section 5.1, line 1585",
+        kind="sentence",
+        statement=r"The number of branch points scales like $\exp(R - \sqrt{R})$.",
+        hypotheses=(
+            (
+                "(used, not stated) branch points are spread evenly, one for each part of the "
+                "largest size"
+            ),
+            "(used, not stated) no part is smaller than the largest by more than a constant factor",
+        ),
+        rests_on=("5.1.area-free-of-branch-points", "5.1.area-of-disk"),
+    ),
+    Claim(
+        id="5.1.exponential-in-generations",
+        section="5.1",
+        where="section 5.1, line 1585",
+        kind="sentence",
+        statement=(
+            "With at most three daughters each, the number of branch points grows about "
+            "exponentially with the number of generations."
+        ),
+        hypotheses=("(used, not stated) most branch points have more than one daughter",),
+        rests_on=("5.1.at-most-three-daughters",),
+    ),
+    Claim(
+        id="5.1.cut-depth",
+        section="5.1",
+        where="section 5.1, displayed formula, line 1587",
+        kind="equation",
+        statement=r"The cut depth scales like $n \sim \max(R - \sqrt{R}, 0)$.",
+        hypotheses=(r"the number of branch points scales like $\exp(R - \sqrt{R})$",),
+        rests_on=(
+            "5.1.number-of-branch-points",
+            "5.1.exponential-in-generations",
+            "5.scaling-symbol",
+        ),
+    ),
+    Claim(
+        id="5.1.slope-of-cut-depth",
+        section="5.1",
+        where="section 5.1, line 1589",
+        kind="sentence",
+        statement=r"$R - \sqrt{R}$ is nearly linear, and its slope increases slowly.",
+        hypotheses=("$R > 1$",),
+        rests_on=("5.1.cut-depth",),
+    ),
+    Claim(
+        id="5.1.cut-depth-observed",
+        section="5.1",
+        where="section 5.1, line 1589",
+        kind="sentence",
+        statement=(
+            r"The cut depth measured against $R$ follows $R - \sqrt{R}$, with a slowly "
+            "increasing slope."
+        ),
+        hypotheses=(r"$R \leq 10$", "(used, not stated) up to a factor"),
+        rests_on=("5.1.cut-depth", "fig:cutdepthwithradius"),
+    ),
+)

@@ -1,0 +1,175 @@
+"""Claims of section 4 on discrete surgery."""
+
+from checks.claim import Claim
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="4.discrete-surgery",
+        section="4",
+        where="lemma on discrete surgery, line 1126",
+        kind="lemma",
+        statement=(
+            r"Given a spherical Chebyshev net $N : Q \to S^2$, a corner $q$ of $Q$ and $l_1, l_2 "
+            r"\in \mathbb N$, three rectangles $J_1, J_2, J_3$ can be attached to $Q$ so that $N$ "
+            r"extends to a spherical Chebyshev net $N' : Q' \to S^2$, $Q' \supset Q$, $q \notin "
+            r"\partial Q'$, and the $K$-surface of $N'$ is unramified."
+        ),
+        hypotheses=(
+            r"all vertices of $Q$ satisfy (eq:unramified)",
+            r"$q$ is a corner vertex",
+            (
+                r"(used, not stated) $l_1, l_2$ and the segments $\gamma_u, \gamma_v$ are so short "
+                r"that every new rhombus keeps the reversed orientation"
+            ),
+            (
+                r"(used, not stated) at the far ends of $\gamma_u$ and $\gamma_v$ the new angle "
+                r"leaves the sum within the range of (eq:unramified)"
+            ),
+        ),
+        rests_on=(
+            "def:sphchebnet",
+            "eq:unramified",
+            "4.surgery-outer-curves",
+            "4.surgery-directions",
+            "4.surgery-geodesics",
+            "4.surgery-closes-corner",
+            "4.surgery-changes-nothing-else",
+            "4.assembly-data",
+        ),
+    ),
+    Claim(
+        id="4.surgery-outer-curves",
+        section="4",
+        where="proof on discrete surgery, line 1128",
+        kind="definition",
+        statement=(
+            r"$\gamma_0 = \gamma_u$ and $\gamma_3 = \gamma_v$ are the maximal boundary segments of "
+            r"the corner $q$, so that $J_1, J_2, J_3$ lie between $\gamma_0, \gamma_1, \gamma_2, "
+            r"\gamma_3$ and the two families alternate."
+        ),
+        hypotheses=(
+            (
+                r"(used, not stated) the exterior of $Q$ at $q$ is met counterclockwise from the "
+                r"$u$- to the $v$-segment; at the other corners $\gamma_u$ and $\gamma_v$ change "
+                r"places"
+            ),
+        ),
+        rests_on=("lem:segments",),
+    ),
+    Claim(
+        id="4.surgery-deficit",
+        section="4",
+        where="proof on discrete surgery, line 1128",
+        kind="number",
+        statement=(
+            r"(eq:unramified) at $q$ defines the angle that is missing, $\delta = (3-d_q)\pi - "
+            r"\sum_{q \in F_k}\alpha_k$, and $\delta \in (0,3\pi)$."
+        ),
+        hypotheses=(
+            r"$q$ is a boundary vertex of degree $d_q$ that satisfies (eq:unramified)",
+            r"(used, not stated) this $\delta$ is another one than the angle $\delta$ of an edge",
+            (
+                r"(used, not stated) the formula for $\delta$ follows from $3\alpha + \sum\alpha_k "
+                r"= -d_q\pi$"
+            ),
+        ),
+        rests_on=("eq:unramified",),
+    ),
+    Claim(
+        id="4.corner-degree-even",
+        section="4",
+        where="proof on discrete surgery, line 1128",
+        kind="sentence",
+        statement=r"A corner vertex has even degree $d_q \ge 2$.",
+        hypotheses=(r"(used, not stated) the edges at $q$ alternate between the two families",),
+        rests_on=(
+            "def:corner",
+            "def:A-complex",
+        ),
+    ),
+    Claim(
+        id="4.surgery-angle",
+        section="4",
+        where="proof on discrete surgery, line 1128",
+        kind="equation",
+        statement=r"$\alpha = -\pi + \delta/3 \in (-\pi,0)$.",
+        hypotheses=(r"$\delta$ is the missing angle at $q$",),
+        rests_on=("4.surgery-deficit",),
+    ),
+    Claim(
+        id="4.surgery-directions",
+        section="4",
+        where="proof on discrete surgery, line 1128",
+        kind="sentence",
+        statement=(
+            r"$\angle\gamma_0(1)N(q)\gamma_1(1) = \alpha$ and $\angle\gamma_1(1)N(q)\gamma_2(1) = "
+            r"\alpha$ determine $\gamma_1(1)$ and $\gamma_2(1)$; then "
+            r"$\angle\gamma_2(1)N(q)\gamma_3(1) = \alpha$ too."
+        ),
+        hypotheses=(
+            r"(used, not stated) $\gamma_1(1)$ and $\gamma_2(1)$ are at the edge angle from $N(q)$",
+            r"(used, not stated) angles are signed by the outer normal of $S^2$",
+        ),
+        rests_on=(
+            "4.surgery-angle",
+            "4.surgery-outer-curves",
+        ),
+    ),
+    Claim(
+        id="4.surgery-geodesics",
+        section="4",
+        where="proof on discrete surgery, unlabelled formula, line 1128",
+        kind="equation",
+        statement=(
+            r"$\gamma_i(k) = N(q)\cos(k\delta) + "
+            r"\frac{\gamma_i(1)-\cos\delta\,N(q)}{\sin\delta}\sin(k\delta)$, $k = 1,2,\ldots,l_i$, "
+            r"are equally spaced points on a great circle through $N(q)$ and $\gamma_i(1)$, at "
+            r"steps of angle $\delta$."
+        ),
+        hypotheses=(
+            r"$i = 1, 2$",
+            (
+                r"(used, not stated) $\delta$ is the edge angle, $\langle N(q),\gamma_i(1)\rangle "
+                r"= \cos\delta$, and not the missing angle that the same proof calls $\delta$"
+            ),
+            r"(used, not stated) $0 < \delta < \pi$",
+        ),
+        rests_on=(
+            "4.surgery-directions",
+            "4.edge-angle",
+        ),
+    ),
+    Claim(
+        id="4.surgery-closes-corner",
+        section="4",
+        where="proof on discrete surgery, line 1130",
+        kind="sentence",
+        statement=(
+            r"With three new sectors of angle $\alpha$ the vertex $q$ is an interior vertex of "
+            r"degree $d_q+2$ that satisfies (eq:unramified)."
+        ),
+        rests_on=(
+            "eq:unramified",
+            "4.surgery-angle",
+            "4.surgery-directions",
+            "4.corner-degree-even",
+        ),
+    ),
+    Claim(
+        id="4.surgery-changes-nothing-else",
+        section="4",
+        where="proof on discrete surgery, line 1130",
+        kind="sentence",
+        statement=(
+            r"Discrete surgery makes no branch point other than $q$ and leaves the net at existing "
+            r"branch points as it was."
+        ),
+        hypotheses=(
+            (
+                r"(used, not stated) every boundary vertex inside $\gamma_u$ or $\gamma_v$ has "
+                r"degree $3$; one of higher odd degree becomes a branch point"
+            ),
+        ),
+        rests_on=("4.surgery-closes-corner",),
+    ),
+)

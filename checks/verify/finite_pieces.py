@@ -1,0 +1,183 @@
+"""Which bounded hyperbolic surfaces lie in R^3: disks do, closed surfaces do not."""
+
+import sympy as sp
+
+from checks.evidence import Evidence, Setting
+from checks.exact import combined, identities, statement
+from theory import closed_surface, collar, hyperbolic_plane
+from theory.bobbin import KAPPA, THETA, S, bobbin, half_length, radius
+from theory.surface_of_revolution import first_form, gauss_curvature
+
+R = sp.Symbol("R", positive=True)
+GENUS = 2
+_THROATS = {"cosh": sp.cosh(R), "sinh": sp.sinh(R), "half": sp.cosh(R / 2)}
+
+
+def disk_in_bobbin(setting: Setting, *, throat: str = "cosh", curvature: int = -1) -> Evidence:
+    """Geodesic disk of radius R about a point of the throat, in the cover of a bobbin.
+
+    With theta = kappa tau the metric is ds^2 + cosh^2(s) d tau^2, that of H^2 about a geodesic, so
+    that the disk is in |s| <= R. throat: the curvature kappa of the throat, a function of R.
+    """
+    kappa = _THROATS[throat]
+    e, f, g = first_form(bobbin(), THETA)
+    room = sp.simplify((kappa**2 - sp.sinh(R) ** 2).rewrite(sp.exp))
+    edge = sp.simplify(sp.sinh(half_length()) - KAPPA)
+    return combined(
+        {
+            "metric": identities(
+                setting,
+                {"E": e - 1, "F": f, "G/kappa^2": g * KAPPA**2 - sp.cosh(S) ** 2},
+                shown="metric of the strip",
+            ),
+            "curvature": identities(
+                setting,
+                {"K": gauss_curvature(bobbin(), THETA) - curvature, "edge": edge},
+                shown="curvature -1 up to sinh L = kappa",
+            ),
+            "room": statement(
+                bool(room.subs(R, 1) > 0) and sp.diff(room, R) == 0,
+                shown="sinh L > sinh R",
+                witness=f"sinh(L)^2 - sinh(R)^2 = {room} is not positive for every R",
+            ),
+        },
+        shown="the cover of the bobbin of throat curvature cosh R, smooth and of curvature -1 up "
+        "to its edges at |s| = L > R, contains a geodesic disk of radius R",
+    )
+
+
+def closed_surface_exists(setting: Setting) -> Evidence:
+    """Build the closed surface of genus 2 and curvature -1, from a regular octagon."""
+    corners = closed_surface.corner_count(GENUS)
+    cosh_radius = closed_surface.cosh_circumradius(corners)
+    angle = sp.acos(closed_surface.corner_cosine(corners, cosh_radius))
+    area = closed_surface.area_by_angles(corners, angle)
+    chi = closed_surface.euler_characteristic(GENUS)
+    return identities(
+        setting,
+        {
+            "sum of the corners - 2 pi": corners * angle - 2 * sp.pi,
+            "area + 2 pi chi": area + 2 * sp.pi * chi,
+        },
+        shown="a regular octagon of circumradius arcosh(3 + 2 sqrt 2) has corners of sum 2 pi",
+    )
+
+
+def closed_surface_immersed(setting: Setting) -> Evidence:
+    """Whether a closed surface can have curvature -1 in R^3, by its point farthest from 0."""
+    distance = sp.Symbol("d", positive=True)
+    excess = sp.symbols("a b", nonnegative=True)
+    forced = closed_surface.curvature_at_farthest_point(distance, excess)
+    return statement(
+        not (forced + 1).is_positive,
+        shown="",
+        witness="the closed surface of genus 2 and curvature -1 (a regular octagon with its sides "
+        f"glued) has diameter at most 2 arcosh(3 + 2 sqrt 2); in R^3 the curvature where it is "
+        f"farthest from 0 would be {forced} >= 1/d^2 > 0",
+    )
+
+
+def finite_piece(
+    setting: Setting, *, closed: bool = True, embedded: bool = True, throat: str = "cosh"
+) -> Evidence:
+    """Bounded hyperbolic surfaces realised in R^3: every disk of H^2, by a bobbin.
+
+    closed: whether closed surfaces count as finite pieces; embedded: whether the bobbin must be
+    injective on the disk.
+    """
+    parts = {"disk of radius R": disk_in_bobbin(setting, throat=throat)}
+    if closed:
+        parts["closed surface"] = closed_surface_exists(setting)
+        parts["closed surface in R^3"] = closed_surface_immersed(setting)
+    if embedded:
+        parts["disk of radius 2"] = _injective_on_disk(2)
+    return combined(
+        parts,
+        shown="every bounded subset of H^2 lies in a disk, and every disk of H^2 is immersed "
+        "smoothly and isometrically as a part of the cover of a bobbin",
+    )
+
+
+def _injective_on_disk(size: int) -> Evidence:
+    """Whether the bobbin of throat curvature cosh R is injective on the disk of radius R = size."""
+    half_turn = sp.pi / sp.cosh(size)
+    return statement(
+        bool(half_turn >= size),
+        shown="the disk is narrower than half a turn",
+        witness=f"half a turn of the throat is {sp.N(half_turn, 5)} < {size}: the bobbin glues "
+        "two points of the disk together, so that this immersion is no embedding",
+    )
+
+
+def complete_is_unbounded(
+    setting: Setting, *, simply_connected: bool = False, power: int = 2
+) -> Evidence:
+    """Complete surfaces of curvature -1: the plane H^2, and closed surfaces unless excluded."""
+    factor = 4 / (1 - hyperbolic_plane.X**2 - hyperbolic_plane.Y**2) ** power
+    pole = hyperbolic_plane.boundary_pole(factor)
+    parts = {
+        "disk": statement(
+            pole >= 2, shown="infinite radii", witness="the radii of the disk have finite length"
+        )
+    }
+    if not simply_connected:
+        parts["octagon"] = closed_surface_exists(setting)
+        corners = closed_surface.corner_count(GENUS)
+        bound = 2 * sp.acosh(closed_surface.cosh_circumradius(corners))
+        parts["closed surface"] = statement(
+            bool(bound == sp.oo),
+            shown="",
+            witness="a closed surface of genus 2 and curvature -1 is complete, and its diameter "
+            f"is at most 2 arcosh(3 + 2 sqrt 2) = {sp.N(bound, 5)}",
+        )
+    return combined(parts, shown="the complete simply connected surface H^2 is unbounded")
+
+
+def metric_extension(
+    setting: Setting, *, simply_connected: bool = False, stiffness: int = 4
+) -> Evidence:
+    """Extend a metric with K < 0 from a bounded domain to the plane: outwards, and into a hole.
+
+    Outwards, with the boundary's geodesic curvature at least -C: K <= 0 on a collar of width
+    1/(2C), then K = -(stiffness C)^2 or below until J grows, then any K < 0, however small. The
+    hole is that of the annulus |s| < L of a bobbin, along its throat.
+    """
+    j = collar.stiff_solution(sp.Integer(stiffness))
+    rate = stiffness * collar.BOUND
+    start, slope = collar.worst_start()
+    rising, falling = collar.exponential_coefficients(j, stiffness)
+    x = sp.log(2)
+    at = x / rate
+    parts = {
+        "equation": identities(
+            setting,
+            {
+                "J'' - (stiffness C)^2 J": sp.diff(j, collar.T, 2) - rate**2 * j,
+                "J at the start": j.subs(collar.T, 0) - start,
+                "J' at the start": sp.diff(j, collar.T).subs(collar.T, 0) - slope,
+            },
+            shown="",
+        ),
+        "collar": statement(
+            bool(rising > 0 and falling > 0)
+            and bool(sp.simplify(sp.diff(j, collar.T).subs(collar.T, at)).is_positive),
+            shown="",
+            witness=f"with K = -({stiffness} C)^2 the metric breaks down or keeps narrowing: J has "
+            f"the coefficients {rising}, {falling} of exp(x), exp(-x), x = {stiffness} C t",
+        ),
+    }
+    if not simply_connected:
+        throat = collar.total_curvature_of_parallel(radius(), S, 0)
+        needed = collar.curvature_of_filling(throat)
+        parts["hole"] = statement(
+            bool(needed < 0),
+            shown="",
+            witness="the annulus |s| < 1 of Minding's bobbin with kappa = 2, whose throat is a "
+            "closed geodesic: by Gauss-Bonnet a disk filling it has the total curvature "
+            f"{needed} > 0",
+        )
+    return combined(
+        parts,
+        shown="across the outer boundary every metric with K < 0 extends: J stays positive while K "
+        "is made as negative as -16 C^2, J grows from then on, and K may decay at will",
+    )
