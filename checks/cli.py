@@ -90,6 +90,21 @@ def notes(json_file: str | None) -> int:
     return notes_command(json_file)
 
 
+@command_line.command()
+@click.argument("name", required=False)
+@click.argument("assignments", metavar="[KEY=EXPRESSION]...", nargs=-1)
+@click.option("--digits", type=click.IntRange(1, 10000), default=30, show_default=True,
+              help="Significant digits.")  # fmt: skip
+@click.option("--certified", is_flag=True, help="Prove every digit, by ball arithmetic.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the value, - for stdout.")
+@click.option("--list", "list_", is_flag=True, help="List the values and their keys.")
+def value(**options: Any) -> int:
+    """Print a named number of the paper, as in: value painleve.crossing phi0=pi/100 level=pi."""
+    from checks.commands.value import value_command
+
+    return value_command(**options)
+
+
 def _warn_of_untested_python() -> None:
     if sys.version_info[:2] not in TESTED:
         tested = ", ".join(f"{major}.{minor}" for major, minor in TESTED)

@@ -19,6 +19,9 @@ class VectorCalculus(Protocol):
     def cross(self, a: Vector, b: Vector) -> Vector:
         """Cross product."""
 
+    def reduced(self, expr: Any) -> Any:
+        """Scalar field in the form that the calculus keeps."""
+
     def rate(self, scalar: Any, along: str) -> Any:
         """Partial derivative of a scalar field."""
 
@@ -31,36 +34,32 @@ class Cartesian:
     """Vector calculus with triples in R^3 that depend on the symbols of the coordinates.
 
     symbols: those on which the expressions depend; rates: for "u" and "v", the derivatives of the
-    symbols along that asymptotic coordinate; rational: whether all expressions are rational
-    functions of the symbols, which are then kept in lowest terms.
+    symbols along that coordinate.
     """
 
     symbols: tuple[sp.Symbol, ...]
     rates: dict[str, Sequence[Any]]
-    rational: bool = False
 
     def dot(self, a: Vector, b: Vector) -> Any:
         """Inner product."""
-        return self._reduced(dot(a, b))
+        return dot(a, b)
 
     def cross(self, a: Vector, b: Vector) -> Vector:
         """Cross product."""
-        product = cross(a, b)
-        return self._reduced(product[0]), self._reduced(product[1]), self._reduced(product[2])
+        return cross(a, b)
+
+    def reduced(self, expr: Any) -> Any:
+        """Scalar field, as it is."""
+        return expr
 
     def rate(self, scalar: Any, along: str) -> Any:
         """Partial derivative of a scalar field, by the chain rule."""
         pairs = zip(self.symbols, self.rates[along], strict=True)
-        return self._reduced(
-            sum((q * sp.sympify(scalar).diff(s) for s, q in pairs), sp.Integer(0))
-        )
+        return sum((q * sp.sympify(scalar).diff(s) for s, q in pairs), sp.Integer(0))
 
     def derivative(self, a: Vector, along: str) -> Vector:
         """Partial derivative of a vector field, entry by entry."""
         return (self.rate(a[0], along), self.rate(a[1], along), self.rate(a[2], along))
-
-    def _reduced(self, expr: Any) -> Any:
-        return sp.cancel(expr) if self.rational else expr
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,7 +89,9 @@ class AsymptoticNet:
     def angle_rate(self, along: str) -> Any:
         """Partial derivative of the angle, from d phi = cos phi d(sin phi) - sin phi d(cos phi)."""
         rate = self.calculus.rate
-        return self.cos_phi * rate(self.sin_phi, along) - self.sin_phi * rate(self.cos_phi, along)
+        return self.calculus.reduced(
+            self.cos_phi * rate(self.sin_phi, along) - self.sin_phi * rate(self.cos_phi, along)
+        )
 
     def geodesic_curvature(self, along: str) -> Any:
         """Signed curvature in the tangent plane of the "u"- or "v"-lines, positive towards N x T."""

@@ -13,6 +13,9 @@ from theory.reference_precision import Magnified, Real, mpf_of, settled
 
 LARGEST_ARGUMENT = 10**4
 
+MOST_DIGITS = 2000
+"""Most digits of this route: ten thousand take mpmath minutes."""
+
 
 def i0(x: Real, *, digits: int = 30) -> Any:
     """Value I_0(x), for 0 <= x <= 10^4. Raises DomainError, InsufficientPrecisionError.
@@ -25,7 +28,7 @@ def i0(x: Real, *, digits: int = 30) -> Any:
         at = _argument(x)
         return mp.besseli(0, at), 1 + at
 
-    return settled(compute, digits=digits)
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
 
 def i1(x: Real, *, digits: int = 30) -> Any:
@@ -39,11 +42,11 @@ def i1(x: Real, *, digits: int = 30) -> Any:
         at = _argument(x)
         return mp.besseli(1, at), 1 + at
 
-    return settled(compute, digits=digits)
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
 
 def inverse_i0(y: Real, *, digits: int = 30) -> Any:
-    """Number x >= 0 with I_0(x) = y, for y >= 1 (lem:amsler_recursion).
+    """Inverse x >= 0 of I_0, I_0(x) = y, for y >= 1 (lem:amsler_recursion).
 
     Raises DomainError, InsufficientPrecisionError.
 
@@ -64,25 +67,27 @@ def inverse_i0(y: Real, *, digits: int = 30) -> Any:
         )
         return x, value / (x * mp.besseli(1, x))
 
-    return settled(compute, digits=digits)
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
 
 def fixed_point(*, digits: int = 30) -> Any:
-    """Number x with I_0(x) = 3, where the recursion leaves the angle as it is (rem:amsler_scaling).
+    """Solution x of I_0(x) = 3: the recursion leaves the angle as it is (rem:amsler_scaling).
 
     >>> print(mp.nstr(fixed_point(), 6))
-    2.45395
+    2.37835
     """
     return inverse_i0(3, digits=digits)
 
 
 def supporting_point(*, digits: int = 30) -> Any:
-    """Number w > 0 where the supporting quadratic touches I_0(2 w^2)/3: 2 w^2 I_1 = I_0 there.
+    """Place w > 0 where the supporting quadratic touches I_0(2 w^2)/3: 2 w^2 I_1 = I_0 there.
 
     >>> print(mp.nstr(supporting_point(), 6))
-    0.896775
+    0.896738
     """
-    return settled(lambda: (mp.sqrt(_touching() / 2), mp.one), digits=digits)
+    return settled(
+        lambda: (mp.sqrt(_touching() / 2), mp.one), digits=digits, most_digits=MOST_DIGITS
+    )
 
 
 def supporting_constant(*, digits: int = 30) -> Any:
@@ -91,14 +96,14 @@ def supporting_constant(*, digits: int = 30) -> Any:
     With t = 2 w^2 it is the least 2 I_0(t)/(3 t), reached where t I_1(t) = I_0(t).
 
     >>> print(mp.nstr(supporting_constant(), 6))
-    0.726033
+    0.729143
     """
 
     def compute() -> tuple[Any, Any]:
         t = _touching()
         return 2 * mp.besseli(0, t) / (3 * t), mp.one
 
-    return settled(compute, digits=digits)
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
 
 def _touching() -> Any:

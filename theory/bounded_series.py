@@ -8,6 +8,7 @@ B q^n / (1 - q) with q = |t|/r < 1.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from flint import arb, arb_poly, ctx
@@ -44,24 +45,25 @@ class BoundedSeries:
 
     def __call__(self, t: Any) -> Any:
         """Ball around the value at the ball t."""
-        return self._polynomial(self.terms, t) + self._tail(t)
+        return self._own(t / self.radius) + self._tail(t)
+
+    @cached_property
+    def _own(self) -> Any:
+        return arb_poly(list(self.terms))
 
     def integral(self, t: Any) -> Any:
         """Ball around the integral from 0 to t."""
         terms = tuple(a / (k + 1) for k, a in enumerate(self.terms))
-        return t * (self._polynomial(terms, t) + self._tail(t))
+        return t * (arb_poly(list(terms))(t / self.radius) + self._tail(t))
 
     def integral_by_root(self, t: Any) -> Any:
         """Ball around the integral of f(t) dt/sqrt(t) from 0 to t > 0."""
         terms = tuple(a / (2 * k + 1) for k, a in enumerate(self.terms))
-        return 2 * t.sqrt() * (self._polynomial(terms, t) + self._tail(t))
+        return 2 * t.sqrt() * (arb_poly(list(terms))(t / self.radius) + self._tail(t))
 
     def truncated(self, order: int) -> BoundedSeries:
         """Series of the same function with fewer terms kept."""
         return BoundedSeries(terms=self.terms[:order], radius=self.radius, bound=self.bound)
-
-    def _polynomial(self, terms: tuple[Any, ...], t: Any) -> Any:
-        return arb_poly(list(terms))(t / self.radius)
 
     def _tail(self, t: Any) -> Any:
         """Ball about 0 that holds the rest; what is integrated is divided by more than 1."""

@@ -6,7 +6,7 @@ from typing import Any
 import sympy as sp
 
 from theory.asymptotic_net import VectorCalculus
-from theory.vectors import Vector
+from theory.vectors import Vector, triple
 
 Form = tuple[Any, Any, Any]
 Rate = Callable[[Any, str], Any]
@@ -63,17 +63,17 @@ def brioschi(first: Form, rate: Rate) -> Any:
     """
     E, F, G = (sp.sympify(entry) for entry in first)
     corner = -rate(rate(E, "v"), "v") / 2 + rate(rate(F, "u"), "v") - rate(rate(G, "u"), "u") / 2
-    bent = sp.Matrix([
-        [corner, rate(E, "u") / 2, rate(F, "u") - rate(E, "v") / 2],
-        [rate(F, "v") - rate(G, "u") / 2, E, F],
-        [rate(G, "v") / 2, F, G],
-    ])  # fmt: skip
-    sheared = sp.Matrix([
-        [0, rate(E, "v") / 2, rate(G, "u") / 2],
-        [rate(E, "v") / 2, E, F],
-        [rate(G, "u") / 2, F, G],
-    ])  # fmt: skip
-    return (bent.det() - sheared.det()) / (E * G - F**2) ** 2
+    bent = triple(
+        (corner, rate(E, "u") / 2, rate(F, "u") - rate(E, "v") / 2),
+        (rate(F, "v") - rate(G, "u") / 2, E, F),
+        (rate(G, "v") / 2, F, G),
+    )
+    sheared = triple(
+        (0, rate(E, "v") / 2, rate(G, "u") / 2),
+        (rate(E, "v") / 2, E, F),
+        (rate(G, "u") / 2, F, G),
+    )
+    return (bent - sheared) / (E * G - F**2) ** 2
 
 
 def coordinate_line_curvatures(first: Form, area: Any, rate: Rate) -> tuple[Any, Any]:

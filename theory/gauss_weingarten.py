@@ -46,6 +46,10 @@ class GaussWeingarten:
         nu = (a[2] * b[0] - a[0] * b[2]) / self.area
         return (self.G * vn - self.F * nu, self.E * nu - self.F * vn, self.area * uv)
 
+    def reduced(self, expr: Any) -> Any:
+        """Scalar field, as it is."""
+        return expr
+
     def rate(self, scalar: Any, along: str) -> Any:
         """Partial derivative of a scalar field along "u" or "v"."""
         return sp.sympify(scalar).diff(self._symbol(along))

@@ -7,15 +7,18 @@ import sympy as sp
 from theory.vectors import Vector, added, derivative, scaled
 
 
-def _integrated(entry: Any, u: sp.Symbol, v: sp.Symbol) -> Any:
-    """Integral of f(t u, t v) over 0 <= t <= 1 for a polynomial f of u and v."""
+def _integrated(entry: Any, u: sp.Symbol, v: sp.Symbol, weight: int) -> Any:
     terms = sp.Poly(entry, u, v).terms()
-    return sum((c * u**i * v**j / (i + j + 1) for (i, j), c in terms), sp.Integer(0))
+    return sum((c * u**i * v**j / (i + j + weight + 1) for (i, j), c in terms), sp.Integer(0))
 
 
-def radial_integral(a: Vector, u: sp.Symbol, v: sp.Symbol) -> Vector:
-    """Integral of a(t u, t v) over 0 <= t <= 1 for a vector of polynomials in u and v."""
-    return (_integrated(a[0], u, v), _integrated(a[1], u, v), _integrated(a[2], u, v))
+def radial_integral(a: Vector, u: sp.Symbol, v: sp.Symbol, *, weight: int = 0) -> Vector:
+    """Integral of t^weight a(t u, t v) over 0 <= t <= 1 for polynomials a in u and v."""
+    return (
+        _integrated(a[0], u, v, weight),
+        _integrated(a[1], u, v, weight),
+        _integrated(a[2], u, v, weight),
+    )
 
 
 def primitive(p: Vector, q: Vector, u: sp.Symbol, v: sp.Symbol) -> Vector:

@@ -50,6 +50,20 @@ class Piece:
         rate = self.rate(self.local(z))
         return rate * z / 2 if self.at_origin else rate
 
+    def second(self, t: Any) -> Any:
+        """Second derivative of phi by t > 0, from the equation."""
+        sine, rate = self.angle(t).sin(), self.rate(t)
+        return (sine - rate) / t if self.at_origin else sine - rate / (self.start + t)
+
+    def outline(self, order: int) -> Piece:
+        """Same stretch with at most this many terms, without cos(phi/2)."""
+        return Piece(
+            start=self.start,
+            end=self.end,
+            angle=self.angle.truncated(order),
+            rate=self.rate.truncated(order),
+        )
+
     def length(self, t: Any) -> Any:
         """Integral of cos(phi/2) by z from z = 0 to the place of t."""
         series = self._cosines()

@@ -10,7 +10,7 @@ from typing import Any
 from mpmath import mp
 
 from theory.errors import DomainError
-from theory.painleve_segments import reaching, rising, rising_zero, segments
+from theory.painleve_segments import place_of_angle, reaching, rising, segments
 from theory.painleve_series import Segment
 from theory.reference_precision import Magnified, Real, mpf_of, settled
 
@@ -92,8 +92,7 @@ def crossing(phi0: Real, level: Real, *, digits: int = 30) -> Any:
         if wanted == start:
             return mp.zero, mp.one
         segment, end = reaching(start, wanted)
-        bracket = (segment.start, end)
-        z = rising_zero(lambda z: segment.angle(z) - wanted, segment.slope, bracket, scale=wanted)
+        z = place_of_angle(segment, end, wanted)
         return z, _ratio(wanted, z * segment.slope(z))
 
     def compute() -> tuple[Any, Any]:

@@ -32,9 +32,26 @@ def rising(phi0: Any) -> Iterator[tuple[Segment, Any]]:
         yield segment, segment.end
 
 
+def place_of_angle(segment: Segment, end: Any, level: Any) -> Any:
+    """First z <= end in the segment with phi(z) = level, where phi rises to it."""
+    return _rising_zero(
+        lambda z: segment.angle(z) - level, segment.slope, (segment.start, end), scale=level
+    )
+
+
+def place_of_path(segment: Segment, end: Any, length: Any) -> Any:
+    """First z <= end at which the integral of cos(phi/2) from the segment's start is length."""
+    return _rising_zero(
+        lambda z: segment.path(z) - length,
+        lambda z: mp.cos(segment.angle(z) / 2),
+        (segment.start, end),
+        scale=length,
+    )
+
+
 def _top(segment: Segment) -> Any:
     """Place of the maximum in a segment at whose end the angle falls."""
-    return rising_zero(
+    return _rising_zero(
         lambda z: -segment.slope(z),
         lambda z: -segment.bend(z),
         (segment.start, segment.end),
@@ -56,7 +73,7 @@ def reaching(phi0: Any, level: Any) -> tuple[Segment, Any]:
     )
 
 
-def rising_zero(
+def _rising_zero(
     function: Callable[[Any], Any],
     derivative: Callable[[Any], Any],
     bracket: tuple[Any, Any],

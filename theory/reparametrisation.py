@@ -28,6 +28,10 @@ class Changed:
         """Cross product."""
         return self.base.cross(a, b)
 
+    def reduced(self, expr: Any) -> Any:
+        """Scalar field in the form that the old calculus keeps."""
+        return self.base.reduced(expr)
+
     def rate(self, scalar: Any, along: str) -> Any:
         """Partial derivative of a scalar field along a new coordinate."""
         p, q = self._column(along)

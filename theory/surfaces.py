@@ -10,16 +10,64 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
+from sympy.polys.fields import field
 
-from theory.asymptotic_net import AsymptoticNet, Cartesian
-from theory.vectors import Vector
+from theory.asymptotic_net import AsymptoticNet
+from theory.vectors import Vector, cross, dot
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cylindrical:
+    """Vector calculus by components along the radius at angle theta, the circle and the axis.
+
+    All expressions are rational functions of x = e^chi and theta, kept in lowest terms; chi_rates,
+    theta_rates: derivatives of chi and theta along "u" and "v", constants.
+    """
+
+    x: sp.Symbol
+    theta: sp.Symbol
+    chi_rates: dict[str, Any]
+    theta_rates: dict[str, Any]
+
+    def reduced(self, expr: Any) -> Any:
+        """Rational function in lowest terms."""
+        fractions, *_ = field([self.x, self.theta], sp.QQ)
+        return fractions.from_expr(sp.sympify(expr)).as_expr()
+
+    def dot(self, a: Vector, b: Vector) -> Any:
+        """Inner product."""
+        return self.reduced(dot(a, b))
+
+    def cross(self, a: Vector, b: Vector) -> Vector:
+        """Cross product."""
+        product = cross(a, b)
+        return self.reduced(product[0]), self.reduced(product[1]), self.reduced(product[2])
+
+    def rate(self, scalar: Any, along: str) -> Any:
+        """Partial derivative of a scalar field."""
+        return self.reduced(self._plain_rate(scalar, along))
+
+    def derivative(self, a: Vector, along: str) -> Vector:
+        """Partial derivative of a vector field, whose components turn with theta."""
+        turn = self.theta_rates[along]
+        return (
+            self.reduced(self._plain_rate(a[0], along) - turn * a[1]),
+            self.reduced(self._plain_rate(a[1], along) + turn * a[0]),
+            self.rate(a[2], along),
+        )
+
+    def _plain_rate(self, scalar: Any, along: str) -> Any:
+        scalar = sp.sympify(scalar)
+        by_chi = self.chi_rates[along] * self.x * scalar.diff(self.x)
+        return by_chi + self.theta_rates[along] * scalar.diff(self.theta)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Front:
-    """Position, unit normal and tan(phi/4) of a front as expressions in two symbols.
+    """Position, unit normal and tan(phi/4) of a front as expressions in chi and theta.
 
-    chi, theta: the symbols; rates: their derivatives along "u" and "v", constants.
+    position, normal: components along the radius at angle theta, the circle and the axis; rates:
+    derivatives of chi and theta along "u" and "v", constants.
     """
 
     name: str
@@ -31,55 +79,66 @@ class Front:
     quarter_tangent: Any
 
     def net(self, side: int) -> AsymptoticNet:
-        """Return the front on the side of its edges where sin phi has this sign (+1 or -1).
-
-        Differentiated directly; its fields are rational functions of e^chi, tan(theta/2), theta.
-        """
-        plain = Cartesian(symbols=(self.chi, self.theta), rates=dict(self.rates))
-        whole = (1 + self.quarter_tangent**2) ** 2
-        cosine = (1 - 6 * self.quarter_tangent**2 + self.quarter_tangent**4) / whole
-        sine = 4 * self.quarter_tangent * (1 - self.quarter_tangent**2) / whole
+        """Return the front on the side of its edges where sin phi has this sign (+1 or -1)."""
+        tangent = self._rational(self.quarter_tangent)
+        whole = (1 + tangent**2) ** 2
+        cosine = (1 - 6 * tangent**2 + tangent**4) / whole
+        sine = 4 * tangent * (1 - tangent**2) / whole
         return AsymptoticNet(
             name=f"{self.name}, sigma = {side:+d}",
-            calculus=self._rational_calculus(),
-            r_u=self._rational_vector(plain.derivative(self.position, "u")),
-            r_v=self._rational_vector(plain.derivative(self.position, "v")),
+            calculus=Cylindrical(
+                x=sp.Symbol("exp_chi", positive=True),
+                theta=self.theta,
+                chi_rates={along: pair[0] for along, pair in self.rates.items()},
+                theta_rates={along: pair[1] for along, pair in self.rates.items()},
+            ),
+            r_u=self._tangent("u"),
+            r_v=self._tangent("v"),
             normal=self._rational_vector(self.normal),
             sigma=side,
-            cos_phi=self._rational(side * cosine),
-            sin_phi=self._rational(side * sine),
+            cos_phi=sp.cancel(side * cosine),
+            sin_phi=sp.cancel(side * sine),
         )
 
-    def _rational_calculus(self) -> Cartesian:
-        x, t = _rational_symbols()
-        rates = {
-            along: (chi_rate * x, theta_rate * (1 + t**2) / 2, theta_rate)
-            for along, (chi_rate, theta_rate) in self.rates.items()
-        }
-        return Cartesian(symbols=(x, t, self.theta), rates=rates, rational=True)
+    def _tangent(self, along: str) -> Vector:
+        """Derivative of the position along "u" or "v"."""
+        chi_rate, theta_rate = self.rates[along]
+        radial, angular, axial = (
+            chi_rate * entry.diff(self.chi) + theta_rate * entry.diff(self.theta)
+            for entry in self.position
+        )
+        turned = (
+            radial - theta_rate * self.position[1],
+            angular + theta_rate * self.position[0],
+            axial,
+        )
+        return self._rational_vector(turned)
 
     def _rational(self, expr: Any) -> Any:
-        """Expression in e^chi, tan(theta/2) and theta, for one that has no chi outside exponents."""
-        x, t = _rational_symbols()
+        """Expression in x = e^chi and theta, for one with no chi outside exponents."""
+        x = sp.Symbol("exp_chi", positive=True)
         functions = {
             sp.cosh(self.chi): (x + 1 / x) / 2,
             sp.sinh(self.chi): (x - 1 / x) / 2,
             sp.tanh(self.chi): (x**2 - 1) / (x**2 + 1),
             sp.exp(-self.chi): 1 / x,
-            sp.cos(self.theta): (1 - t**2) / (1 + t**2),
-            sp.sin(self.theta): 2 * t / (1 + t**2),
         }
         return sp.cancel(sp.sympify(expr).xreplace(functions))
 
     def _rational_vector(self, a: Vector) -> Vector:
         return (self._rational(a[0]), self._rational(a[1]), self._rational(a[2]))
 
-    def at(self, vector: Vector, u: Any, v: Any) -> Vector:
-        """Return a vector field of the front as a function of the asymptotic coordinates."""
+    def at(self, components: Vector, u: Any, v: Any) -> Vector:
+        """Return a vector field of the front in R^3, as a function of the asymptotic coordinates.
+
+        components: radial, angular and axial, such as those of position and normal.
+        """
         (chi_u, theta_u), (chi_v, theta_v) = self.rates["u"], self.rates["v"]
-        place = {self.chi: chi_u * u + chi_v * v, self.theta: theta_u * u + theta_v * v}
-        first, second, third = (sp.sympify(entry).subs(place) for entry in vector)
-        return (first, second, third)
+        angle = theta_u * u + theta_v * v
+        place = {self.chi: chi_u * u + chi_v * v, self.theta: angle}
+        radial, angular, axial = (sp.sympify(entry).subs(place) for entry in components)
+        c, s = sp.cos(angle), sp.sin(angle)
+        return (radial * c - angular * s, radial * s + angular * c, axial)
 
 
 def _symbols() -> tuple[sp.Symbol, sp.Symbol]:
@@ -87,20 +146,10 @@ def _symbols() -> tuple[sp.Symbol, sp.Symbol]:
     return chi, theta
 
 
-def _rational_symbols() -> tuple[sp.Symbol, sp.Symbol]:
-    return sp.Symbol("exp_chi", positive=True), sp.Symbol("tan_half_theta", real=True)
-
-
-def _turned(radial: Any, angular: Any, axial: Any, theta: sp.Symbol) -> Vector:
-    """Vector with these components along the radius at angle theta, the circle and the axis."""
-    c, s = sp.cos(theta), sp.sin(theta)
-    return (radial * c - angular * s, radial * s + angular * c, axial)
-
-
 def dini(a: Any) -> Front:
     """Dini's surface from the soliton phi = 4 arctan exp(-chi), chi = a u + v/a, theta = v - u.
 
-    a: positive number or symbol; a = 1 is the pseudosphere, the others wind up along the axis.
+    a: positive rational; a = 1 is the pseudosphere, the others wind up along the axis.
     """
     chi, theta = _symbols()
     a = sp.sympify(a)
@@ -111,8 +160,8 @@ def dini(a: Any) -> Front:
         chi=chi,
         theta=theta,
         rates={"u": (a, sp.Integer(-1)), "v": (1 / a, sp.Integer(1))},
-        position=_turned(k / sp.cosh(chi), sp.Integer(0), axial - k * sp.tanh(chi), theta),
-        normal=_turned(-k * sp.tanh(chi), m, -k / sp.cosh(chi), theta),
+        position=(k / sp.cosh(chi), sp.Integer(0), axial - k * sp.tanh(chi)),
+        normal=(-k * sp.tanh(chi), m, -k / sp.cosh(chi)),
         quarter_tangent=sp.exp(-chi),
     )
 
@@ -132,7 +181,7 @@ def kuen() -> Front:
         chi=chi,
         theta=theta,
         rates={"u": (sp.Integer(1), sp.Integer(-1)), "v": (sp.Integer(1), sp.Integer(1))},
-        position=_turned(2 * c / q, -2 * theta * c / q, chi - 2 * s * c / q, theta),
-        normal=_turned(2 * theta / q, (c**2 - theta**2) / q, -2 * theta * s / q, theta),
+        position=(2 * c / q, -2 * theta * c / q, chi - 2 * s * c / q),
+        normal=(2 * theta / q, (c**2 - theta**2) / q, -2 * theta * s / q),
         quarter_tangent=theta / c,
     )

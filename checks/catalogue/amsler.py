@@ -20,7 +20,8 @@ _DEFINITIONS = (
         labels=("def:amsler-sector",),
         hypotheses=(
             (
-                r"(used, not stated) beyond the first zero of $\sin\varphi$ the front goes on without "
+                r"(used, not stated) beyond the first zero of $\sin\varphi$ the front "
+                r"goes on without "
                 "being an immersion: no sector is immersed on the whole quadrant"
             ),
         ),
@@ -180,13 +181,15 @@ _REDUCTION = (
         where="section 3.1, line 461",
         kind="sentence",
         statement=(
-            r"(PIII) is Painlev\'e III in trigonometric form: $w = e^{i\varphi/2}$ satisfies $w'' = "
+            r"(PIII) is Painlev\'e III in trigonometric form: $w = e^{i\varphi/2}$ "
+            r"satisfies $w'' = "
             r"w'^2/w - w'/z + (\alpha w^2 + \beta)/z + \gamma w^3 + \delta/w$ with constants "
             r"$\alpha, \beta, \gamma, \delta$."
         ),
         hypotheses=(
             (
-                r"(used, not stated) the substitution $w = e^{i\varphi/2}$; $e^{i\varphi}$ does not "
+                r"(used, not stated) the substitution $w = e^{i\varphi/2}$; "
+                r"$e^{i\varphi}$ does not "
                 "lead to the normal form in the variable $z$"
             ),
         ),
@@ -224,7 +227,7 @@ _REDUCTION = (
         section="3.1",
         where="section 3.1, line 461",
         kind="sentence",
-        statement=r"$\varphi(u, v)$ is constant along the axes.",
+        statement=r"On each axis $\varphi$ keeps the value $\varphi(0)$.",
         rests_on=("3.1.amsler-preimage",),
         checks=(
             Check(
@@ -271,7 +274,8 @@ _REDUCTION = (
         where="section 3.1, line 461",
         kind="sentence",
         statement=(
-            r"On Minding's bobbin every asymptotic curve, of either family, meets the singular edge "
+            r"On Minding's bobbin every asymptotic curve, of either family, meets "
+            r"the singular edge "
             "at a finite value of its parameter."
         ),
         rests_on=("ex:bobbin",),
@@ -360,7 +364,8 @@ _EDGES = (
             corrected=r"$\partial_v \varphi = 0$ along $u = 0$",
             kind="misprint",
             witness=(
-                r"$\varphi = F(uv)$ with $F'(0) = \sin\phi_0$, so that $\partial_u\varphi(0, v) = v "
+                r"$\varphi = F(uv)$ with $F'(0) = \sin\phi_0$, so that "
+                r"$\partial_u\varphi(0, v) = v "
                 r"\sin\phi_0 \ne 0$ for $v > 0$"
             ),
             conclusion_survives=True,

@@ -1,4 +1,4 @@
-"""Claims opening section 3: the isometry problem, saddles and branch points, the hyperbolic plane."""
+"""Claims opening section 3: the isometry problem, branch points, the hyperbolic plane."""
 
 from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
@@ -177,8 +177,8 @@ _ISOMETRIES: tuple[Claim, ...] = (
         where="section 3, line 228",
         kind="sentence",
         statement=(
-            r"Smooth solutions of (thmegrg) with $\kappa < 0$ are hyperbolic surfaces, "
-            "locally saddle shaped."
+            r"Where $\kappa < 0$ a smooth solution of (thmegrg) is a hyperbolic surface "
+            "and looks like a saddle."
         ),
         rests_on=("thmegrg",),
         checks=(
@@ -208,10 +208,7 @@ _ISOMETRIES: tuple[Claim, ...] = (
             r"$\mathbb{R}^2$ of negative curvature, decaying at infinity as rapidly as "
             "desired."
         ),
-        hypotheses=(
-            r"$\Omega$ is bounded with smooth boundary",
-            "(used, not stated) the metric is smooth up to the boundary",
-        ),
+        hypotheses=(r"$\Omega$ is bounded with smooth boundary",),
         checks=(
             Check(
                 name="printed",
@@ -226,13 +223,16 @@ _ISOMETRIES: tuple[Claim, ...] = (
                 name="simply connected domains",
                 run=_PIECES + "metric_extension",
                 form="corrected",
-                given={"simply_connected": True},
+                given={"simply_connected": True, "up_to_boundary": True},
                 routes=(
                     "Jacobi equation of the outer collar",
                     "comparison of solutions in exponentials",
                 ),
                 mutants=(
                     Mutant(name="holes admitted", given={"simply_connected": False}),
+                    Mutant(
+                        name="metrics that grow at the boundary", given={"up_to_boundary": False}
+                    ),
                     Mutant(name="curvature -4 C^2 on the collar", given={"stiffness": 2}),
                     Mutant(name="curvature -C^2 on the collar", given={"stiffness": 1}),
                 ),
@@ -240,12 +240,13 @@ _ISOMETRIES: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed="every such metric on a bounded domain with smooth boundary extends",
-            corrected=r"if $\Omega$ is simply connected",
+            corrected=r"if $\Omega$ is simply connected and the metric smooth on its closure",
             kind="hypothesis",
             witness=(
-                r"the annulus $|s| < 1$ of the bobbin with $\kappa = 2$: its throat is a"
-                r" closed geodesic, and a disk filling it would have $\iint K\,dA = "
-                r"2\pi$ by Gauss-Bonnet"
+                r"on the unit disk the Poincar\'e metric is complete and has no "
+                r"extension. And the annulus $|s| < 1$ of the bobbin with $\kappa = 2$: "
+                "its throat is a closed geodesic, and a disk filling it would have "
+                r"$\iint K\,dA = 2\pi$ by Gauss-Bonnet"
             ),
             conclusion_survives=True,
             remark=(
@@ -328,8 +329,8 @@ _ISOMETRIES: tuple[Claim, ...] = (
             ),
             kind="hypothesis",
             witness=(
-                "the closed surface of genus 2 and curvature $-1$ is bounded; in "
-                r"$\mathbb{R}^3$ it would have $K > 0$ where it is farthest from the "
+                "the closed surface of genus 2 and curvature $-1$ has finite diameter; "
+                r"in $\mathbb{R}^3$ it would have $K > 0$ where it is farthest from the "
                 "origin"
             ),
             conclusion_survives=True,
@@ -344,7 +345,10 @@ _ISOMETRIES: tuple[Claim, ...] = (
         section="3",
         where="section 3, line 232",
         kind="sentence",
-        statement="A $C^2$ hyperbolic surface cannot refine its buckling pattern.",
+        statement=(
+            "On a hyperbolic surface of class $C^2$ the undulations cannot become more "
+            "numerous towards the boundary."
+        ),
         hypotheses=("(used, not stated) refining means points with more than four sectors",),
         rests_on=(
             "3.c2-saddle",
@@ -377,7 +381,9 @@ _BRANCHED: tuple[Claim, ...] = (
         section="3",
         where="section 3, line 234",
         kind="sentence",
-        statement="A $C^2$ hyperbolic surface is saddle-like near every point.",
+        statement=(
+            "Near each of its points a hyperbolic surface of class $C^2$ looks like a saddle."
+        ),
         checks=(
             Check(
                 name="second form",

@@ -40,13 +40,14 @@ def charge(index: Any, *, reading: str = "index") -> Any:
     return index if reading == "index" else -(1 + index)
 
 
-def objective(larger: Any, *, product: int = -1, absolute: bool = True) -> Any:
-    """Quantity |H| of the min-max problem, from the larger principal curvature in size.
+def objective(larger: Any, *, quantity: str = "mean", absolute: bool = True) -> Any:
+    """Quantity |H| of the min-max problem, from the larger principal curvature, K = -1.
 
-    product: the Gauss curvature; absolute: without it H itself, for the normal where it is < 0.
+    quantity: `gauss` for |K| instead; absolute: without it H itself, for the normal where H < 0.
     """
-    mean = (larger + product / larger) / 2
-    return mean if absolute else -mean
+    smaller = -1 / larger
+    value = (larger + smaller) / 2 if quantity == "mean" else -larger * smaller
+    return value if absolute else -value
 
 
 def energy_growth(radius: Any, *, growth: str = "root") -> Any:

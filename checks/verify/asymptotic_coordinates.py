@@ -7,14 +7,14 @@ import sympy as sp
 from checks.evidence import Evidence, Setting
 from checks.exact import identities, statement
 from checks.printed import asymptotic_frames as printed
-from checks.verify.nets import explicit_nets, minus
+from checks.verify.nets import explicit_nets, minus, squared_norm
 from theory.asymptotic_net import Cartesian
 from theory.forms import brioschi, determinant, first_form, second_form
 from theory.frames import line_torsion, torsion
 from theory.gauss_weingarten import R_U, R_V, GaussWeingarten, codazzi_defects
 from theory.moutard import Series, column, curve_normals, goursat_series
 from theory.surfaces import dini, pseudosphere
-from theory.vectors import Vector, cross, dot, scaled
+from theory.vectors import Vector, added, cross, dot, scaled
 
 
 def _asymptotic_surface(**changes: Any) -> GaussWeingarten:
@@ -120,18 +120,17 @@ def either_normal(setting: Setting, *, second: str = "v", perpendicular: bool = 
     """
     residuals: dict[str, Any] = {}
     for net in (pseudosphere().net(1), dini(2).net(-1)):
-        product, times = net.calculus.dot, net.calculus.cross
-        whole = times(net.r_u, net.r_v)
-        norm = sp.sqrt(product(whole, whole))
+        times = net.calculus.cross
+        norm = sp.sqrt(squared_norm(net, times(net.r_u, net.r_v)))
         for sign in (1, -1):
             normal = printed.unit_normal(net.r_u, net.r_v, norm, times, sign=sign)
             if not perpendicular:
-                normal = scaled(sign / norm, minus(net.r_u, scaled(-1, net.r_v)))
+                normal = scaled(sign / norm, added(net.r_u, net.r_v))
             where = f"{net.name}, sign {sign:+d}"
-            residuals[f"{where}: N.N - 1"] = product(normal, normal) - 1
-            residuals[f"{where}: N.r_u"] = product(normal, net.r_u)
-            residuals[f"{where}: N.r_uu"] = product(normal, net.d(net.r_u, "u"))
-            residuals[f"{where}: N.r_vv"] = product(normal, net.d(net.r_v, second))
+            residuals[f"{where}: N.N - 1"] = dot(normal, normal) - 1
+            residuals[f"{where}: N.r_u"] = dot(normal, net.r_u)
+            residuals[f"{where}: N.r_uu"] = dot(normal, net.d(net.r_u, "u"))
+            residuals[f"{where}: N.r_vv"] = dot(normal, net.d(net.r_v, second))
     return identities(setting, residuals, shown="N is a unit normal and satisfies both asymptotic "
                       "conditions, whichever sign is chosen")  # fmt: skip
 
@@ -179,7 +178,9 @@ def unit_speed(
     if len(solved) != 1:
         return statement(False, shown="", witness=f"E_v and G_u are not determined: {solved}")
     residuals = {str(slot): solved[0].get(slot, slot) for slot in slots}
-    residuals["determinant of these equations, plus 1"] = sp.Matrix(marked).jacobian(slots).det() + 1
+    residuals["determinant of these equations, plus 1"] = (
+        sp.Matrix(marked).jacobian(slots).det() + 1
+    )
     return identities(setting, residuals, shown="the Codazzi equations of asymptotic coordinates "
                       "with K = -1 have E_v = G_u = 0 as their only solution")  # fmt: skip
 
@@ -227,4 +228,3 @@ def labelling(setting: Setting, *, exchange: bool = True, flip: bool = False) ->
     }
     return identities(setting, residuals, shown="exchanging the names of u and v exchanges the "
                       "torsions, so torsion -1 along u and +1 along v can be had")  # fmt: skip
-

@@ -134,13 +134,18 @@ def complete_is_unbounded(
 
 
 def metric_extension(
-    setting: Setting, *, simply_connected: bool = False, stiffness: int = 4
+    setting: Setting,
+    *,
+    simply_connected: bool = False,
+    up_to_boundary: bool = False,
+    stiffness: int = 4,
 ) -> Evidence:
     """Extend a metric with K < 0 from a bounded domain to the plane: outwards, and into a hole.
 
     Outwards, with the boundary's geodesic curvature at least -C: K <= 0 on a collar of width
     1/(2C), then K = -(stiffness C)^2 or below until J grows, then any K < 0, however small. The
-    hole is that of the annulus |s| < L of a bobbin, along its throat.
+    hole is that of the annulus |s| < 1 of a bobbin, along its throat. Without up_to_boundary the
+    metric may grow at the boundary of the domain, as that of the Poincare disk does.
     """
     j = collar.stiff_solution(sp.Integer(stiffness))
     rate = stiffness * collar.BOUND
@@ -166,6 +171,14 @@ def metric_extension(
             f"the coefficients {rising}, {falling} of exp(x), exp(-x), x = {stiffness} C t",
         ),
     }
+    if not up_to_boundary:
+        pole = hyperbolic_plane.boundary_pole(hyperbolic_plane.disk_metric()[0, 0])
+        parts["boundary"] = statement(
+            pole < 2,
+            shown="",
+            witness="the Poincare metric on the unit disk: its factor has a pole of order "
+            f"{pole} on the circle, so that the disk is complete and no metric of R^2 extends it",
+        )
     if not simply_connected:
         throat = collar.total_curvature_of_parallel(radius(), S, 0)
         needed = collar.curvature_of_filling(throat)

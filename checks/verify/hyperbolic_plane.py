@@ -188,3 +188,8 @@ def no_flat_map(setting: Setting, *, curvature: int = -1) -> Evidence:
         },
         shown="the metric |f'|^2 |dz|^2 of a conformal map into the plane is flat",
     )
+
+
+def swelling_at_margin(setting: Setting, *, where: str = "margin", curvature: int = -1) -> Evidence:
+    """Total curvature of a disk that swells more near its margin: see `swelling`."""
+    return swelling(setting, where=where, curvature=curvature)

@@ -26,13 +26,11 @@ def _refused(run: StoredRun) -> str:
     return ""
 
 
-def _judged(
-    run: StoredRun, failures: list[str], *, shown: str, residual: str = "", certified: bool = False
-) -> Evidence:
+def _judged(run: StoredRun, failures: list[str], *, shown: str, residual: str = "") -> Evidence:
     reasons = [reason for reason in (_refused(run), *failures) if reason]
     return Evidence(
         outcome="fail" if reasons else "pass",
-        grade="certified" if certified else "experiment",
+        grade="experiment",
         shown=shown,
         residual=residual,
         tried=run.evaluations,
@@ -93,7 +91,6 @@ def efimov_search(
         failures,
         shown=f"of {run.evaluations} screw surfaces with K <= -1 none had both ends "
         f"of its meridian longer than {length:.4g} % of arcsinh(1/U(0))",
-        certified=True,
     )
 
 
@@ -202,7 +199,8 @@ def nash_kuiper_search(
     failures = []
     if not left[0] < 0.5:
         failures.append(f"{left[0]:.3g} of the metric defect is left at the frequency ratio 256")
-    if abs(order - order_percent / 100) > 0.005:
+    # Half of the ten percent by which the near mutant is off.
+    if abs(order - order_percent / 100) > 0.05:
         failures.append(f"the defect falls with order {order:.4g} in the frequency ratio")
     if not distance < closeness / 10_000:
         failures.append(f"the map moves by {distance:.4g}")

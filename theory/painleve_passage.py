@@ -1,0 +1,133 @@
+"""First passages of the solution of PIII: of its angle through a level, of its length through one.
+
+phi rises from z = 0 to its first maximum, beyond pi: z phi' = integral of xi sin phi(xi) is positive
+as long as phi <= pi. That it rises on a stretch is nevertheless certified by balls, cell by cell.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb
+
+from theory.bounded_series import terms_needed
+from theory.enclosure import Enclosure
+from theory.errors import PastFirstMaximumError, SingularEdgeError, UndecidedError
+from theory.interval_newton import root
+from theory.painleve_path import pieces
+from theory.painleve_piece import Piece
+from theory.precision import working
+
+OUTLINE_BITS = 64
+CELLS = 8
+FINEST_CELL = 2.0**-40
+
+
+@dataclass(frozen=True, kw_only=True)
+class Place:
+    """Place on the solution: the piece and the ball of its variable t."""
+
+    piece: Piece
+    t: Any
+
+    @property
+    def z(self) -> Any:
+        """Ball of z."""
+        return self.piece.position(self.t)
+
+    @property
+    def angle(self) -> Any:
+        """Ball of phi."""
+        return self.piece.angle(self.t)
+
+    @property
+    def length(self) -> Any:
+        """Ball of the integral of cos(phi/2) by z from 0."""
+        return self.piece.length(self.t)
+
+
+def risen(piece: Piece) -> tuple[Any, Any | None]:
+    """End t of the stretch from 0 where d phi/dt > 0 is certain; t beyond where phi turns, or None.
+
+    Both exact. If phi turns, then d^2 phi/dt^2 < 0 between the two, so that it turns once. Raises
+    UndecidedError if cells of the least size do not decide.
+    """
+    with working(OUTLINE_BITS):
+        end = piece.local(piece.end).upper()
+        ratio = arb((end / piece.angle.radius).upper())
+        outline = piece.outline(terms_needed(piece.angle.bound, abs(piece.angle.terms[0]), ratio))
+        t, width = arb(0), end / CELLS
+        while t < end:
+            if width < end * FINEST_CELL:
+                raise UndecidedError("no certain sign of the slope", Enclosure.of(outline.rate(t)))
+            far = (t + width).min(end).mid()
+            cell = t.union(far)
+            if outline.rate(cell) > 0:
+                t, width = far, width * 2
+            elif outline.rate(far) < 0 and outline.second(cell) < 0:
+                return t, far
+            else:
+                width = width / 4
+        return end, None
+
+
+def angle_passage(phi0: Any, level: Any) -> Place:
+    """First place with phi = level, for level > phi0 up to the first maximum of phi.
+
+    The only root of phi = level on [0, t], where phi' > 0. Raises PastFirstMaximumError if the
+    level is certainly above the maximum.
+    """
+    for piece in pieces(phi0):
+        found = _angle_passage(piece, level)
+        if found is not None:
+            return found
+    raise UndecidedError("no piece reaches the level")
+
+
+def _angle_passage(piece: Piece, level: Any) -> Place | None:
+    """Passage in the piece; None if phi certainly stays below the level."""
+    end, beyond = risen(piece)
+    if piece.angle(end) > level:
+        return _angle_root(piece, level, end)
+    if beyond is not None:
+        turn = root(lambda t: -piece.rate(t), lambda t: -piece.second(t), end, beyond)
+        highest = piece.angle(turn)
+        if level > highest:
+            raise PastFirstMaximumError("level above the first maximum", Enclosure.of(highest))
+        if level < highest:
+            return _angle_root(piece, level, turn.lower())
+    elif piece.angle(end) < level:
+        return None
+    raise UndecidedError("a level meets the end of a piece or the first maximum")
+
+
+def _angle_root(piece: Piece, level: Any, end: Any) -> Place:
+    """Place of the level before end, up to which phi rises."""
+    t = root(lambda t: piece.angle(t) - level, piece.rate, arb(0), end)
+    if not t <= end:
+        raise UndecidedError("the root meets the end of the rise", Enclosure.of(t))
+    return Place(piece=piece, t=t)
+
+
+def length_passage(phi0: Any, length: Any) -> Place:
+    """Place before phi = pi where the integral of cos(phi/2) dz is length > 0; it is the only one.
+
+    Raises SingularEdgeError if the integral up to phi = pi is certainly less.
+    """
+    for piece in pieces(phi0, with_length=True):
+        end, _ = risen(piece)
+        if not piece.angle(end) < arb.pi():
+            edge = _angle_root(piece, arb.pi(), end)
+            if length > edge.length:
+                raise SingularEdgeError("the singular edge is nearer", Enclosure.of(edge.length))
+            end = edge.t.lower()
+        reached = piece.length(end)
+        if reached > length:
+            t = root(lambda t, p=piece: p.length(t) - length, piece.length_rate, arb(0), end)
+            if not t <= end:
+                raise UndecidedError("the root meets the end of the rise", Enclosure.of(t))
+            return Place(piece=piece, t=t)
+        if not reached < length:
+            raise UndecidedError("a length meets the end of a piece", Enclosure.of(reached))
+    raise UndecidedError("no piece reaches the length")
