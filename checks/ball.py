@@ -62,12 +62,14 @@ def unknowns(expr: sp.Expr) -> list[sp.Expr]:
     """Free symbols, unknown functions and derivatives that a point must give a value."""
     calls = expr.atoms(sp.Derivative) | expr.atoms(sp.core.function.AppliedUndef)
     inside = set().union(*(call.free_symbols for call in calls)) if calls else set()
-    bare = expr.xreplace({call: sp.Integer(0) for call in sorted(calls, key=_outermost)})
-    return sorted(calls, key=str) + sorted(bare.free_symbols | inside, key=str)
-
-
-def _outermost(call: sp.Expr) -> tuple[int, str]:
-    return (0 if isinstance(call, sp.Derivative) else 1, str(call))
+    # A derivative holds its function: the derivatives go first. Dummies keep what multiplies them.
+    ordered = sorted(calls, key=lambda call: (not isinstance(call, sp.Derivative), str(call)))
+    dummies = {call: sp.Dummy() for call in ordered}
+    bare = expr
+    for call in ordered:
+        bare = bare.xreplace({call: dummies[call]})
+    symbols = (bare.free_symbols - set(dummies.values())) | inside
+    return sorted(calls, key=str) + sorted(symbols, key=str)
 
 
 def random_point(symbols: list[sp.Expr], rng: Random) -> dict[sp.Expr, sp.Rational]:

@@ -62,13 +62,15 @@ class Expression:
 
 
 def compare(left: Expression, right: Expression) -> int:
-    """Sign of left - right, exact where both are linear in pi.
+    """Sign of left - right, exact where both are linear in pi or written alike.
 
     Raises BadInput where the two cannot be told apart.
 
     >>> compare(parse("22/7"), parse("pi")), compare(parse("2*pi/4"), parse("pi/2"))
     (1, 0)
     """
+    if left.tree == right.tree:
+        return 0
     try:
         return trees.sign(trees.subtracted(left.tree, right.tree))
     except Unresolved as error:

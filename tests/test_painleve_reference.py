@@ -4,13 +4,15 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from odefun_route import fresh_odefun
 
-from theory import painleve_float, painleve_series
+from theory import painleve, painleve_float, painleve_series
 from theory import painleve_reference as reference
+from theory.enclosure import Enclosure
 from theory.errors import DomainError, InsufficientPrecisionError, PastFirstMaximumError
 
 POINTS = [
@@ -139,6 +141,87 @@ def test_more_digits_only_refine(phi0: Fraction, z: Fraction, digits: int):
         few, many = function(phi0, z, digits=digits), function(phi0, z, digits=digits + 20)
         with mp.workdps(digits + 30):
             assert abs(few - many) <= abs(many) * mp.mpf(10) ** -digits
+
+
+def _as_fraction(number) -> Fraction:
+    sign, mantissa, exponent, _ = number._mpf_
+    return (-1) ** sign * int(mantissa) * Fraction(2) ** int(exponent)
+
+
+def _decimals(enclosure: Enclosure) -> int:
+    """Digits to which the enclosure is accurate, and ten more."""
+    low, high = enclosure.ends()
+    return max(20, int(mp.log10(abs(low + high) / (high - low + Fraction(1, 10**200)))) + 10)
+
+
+@settings(max_examples=40)
+@given(
+    share=st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000),
+    z=st.fractions(Fraction(1, 100), 25, max_denominator=100),
+    digits=st.integers(1, 40),
+    name=st.sampled_from(["angle", "slope", "diagonal"]),
+)
+def test_the_certified_enclosure_contains_the_reference(share, z, digits: int, name: str):
+    p, q = share.numerator, share.denominator
+    enclosure = getattr(painleve, name)(lambda: arb.pi() * p / q, z, digits=digits)
+    number = getattr(reference, name)(lambda: mp.pi * p / q, z, digits=_decimals(enclosure))
+    assert enclosure.is_accurate_to(digits)
+    assert enclosure.contains(_as_fraction(number))
+
+
+@settings(max_examples=30)
+@given(
+    share=st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000),
+    height=st.fractions(Fraction(1, 100), 1, max_denominator=100),
+    digits=st.integers(1, 40),
+)
+def test_the_certified_crossing_contains_the_reference(share, height, digits: int):
+    ratio = share + height * (1 - share)
+    p, q, a, b = *share.as_integer_ratio(), *ratio.as_integer_ratio()
+    enclosure = painleve.crossing(lambda: arb.pi() * p / q, lambda: arb.pi() * a / b, digits=digits)
+    number = reference.crossing(
+        lambda: mp.pi * p / q, lambda: mp.pi * a / b, digits=_decimals(enclosure)
+    )
+    assert enclosure.is_accurate_to(digits)
+    assert enclosure.contains(_as_fraction(number))
+
+
+def _below(first: Enclosure, second: Enclosure) -> bool:
+    return first.ends()[1] < second.ends()[0]
+
+
+SHARES = st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000)
+
+
+@settings(max_examples=25)
+@given(share=SHARES, places=st.tuples(SHARES, SHARES))
+def test_the_angle_rises_up_to_the_crossing_of_pi(share: Fraction, places):
+    """Places are shares of the first crossing; both routes are asked."""
+    phi0 = 3 * share
+    near, far = (
+        place * Fraction(float(reference.crossing(phi0, mp.pi))) for place in sorted(places)
+    )
+    if near < far:
+        assert _below(painleve.angle(phi0, near, digits=20), painleve.angle(phi0, far, digits=20))
+        assert reference.angle(phi0, near) < reference.angle(phi0, far)
+
+
+@settings(max_examples=25)
+@given(shares=st.tuples(SHARES, SHARES), place=SHARES)
+def test_a_larger_initial_angle_gives_a_larger_angle(shares, place: Fraction):
+    """Comparison up to the first crossing of pi by the larger one."""
+    small, large = (3 * share for share in sorted(shares))
+    z = place * Fraction(float(reference.crossing(large, mp.pi)))
+    if small < large:
+        assert _below(painleve.angle(small, z, digits=20), painleve.angle(large, z, digits=20))
+        assert reference.angle(small, z) < reference.angle(large, z)
+
+
+@pytest.mark.parametrize("z", [100, 200])
+def test_the_routes_agree_far_into_the_oscillations(z: int):
+    enclosure = painleve.angle(1, z, digits=20)
+    assert enclosure.contains(_as_fraction(reference.angle(1, z, digits=_decimals(enclosure))))
+    assert abs(painleve_float.angle(1.0, float(z)) - float(reference.angle(1, z))) < 1e-10
 
 
 REFUSED = [

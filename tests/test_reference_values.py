@@ -35,7 +35,7 @@ def test_bessel_values_agree_with_scipy():
     touching = minimize_scalar(lambda w: iv(0, 2 * w * w) / (3 * w * w), bracket=(0.5, 1, 1.5))
     assert abs(bessel.supporting_constant() - touching.fun) < 1e-14
     # The minimum is flat: its place is known to the root of the precision.
-    assert abs(bessel.supporting_point() - touching.x) < 1e-7
+    assert abs(bessel.supporting_argument() - touching.x) < 1e-7
 
 
 def test_the_inverse_next_to_1_and_far_away():

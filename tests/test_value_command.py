@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-import time
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -150,12 +149,13 @@ def test_an_undecided_value_is_never_printed(asked, monkeypatch: pytest.MonkeyPa
     )
 
 
-def test_a_tie_that_no_ball_decides_is_undecided(asked):
-    """I_0 of its own inverse is 12.5 exactly: to two digits, no number of bits tells 12 from 13."""
-    code, lines, err = asked("painleve.angle", "phi0=0.15", "z=0", "--digits", "1", "--certified")
-    assert (code, lines) in [(4, []), (0, lines)]
-    if code == 0:
-        assert lines[0] in ("0.1", "0.2")
+@pytest.mark.parametrize("flags", [[], ["--certified"]])
+@pytest.mark.parametrize("number", ["pi/2", "1/3", "1", "sqrt(2)"])
+def test_a_level_equal_to_phi0_is_crossed_at_0(asked, number: str, flags: list[str]):
+    """No ball decides such a tie; the expressions do."""
+    again = "0.5*pi" if number == "pi/2" else number
+    code, lines, _ = asked("painleve.crossing", f"phi0={number}", f"level={again}", *flags)
+    assert (code, lines[0]) == (0, "0")
 
 
 def test_more_digits_than_the_reference_gives_are_certified(asked):
@@ -234,7 +234,8 @@ def test_bad_input_gets_one_clear_line(asked, arguments: list[str], said: str):
 
 def test_help_and_the_list_import_nothing_heavy(tmp_path: Path):
     code = (
-        "import sys; from checks.cli import run; run(['value', '--help']); run(['value', '--list']);"
+        "import sys; from checks.cli import run;"
+        "run(['value', '--help']); run(['value', '--list']);"
         "heavy = {'sympy', 'numpy', 'mpmath', 'flint', 'scipy', 'theory'} & set(sys.modules);"
         "sys.exit(' '.join(sorted(heavy)) or 0)"
     )

@@ -94,7 +94,7 @@ class AsymptoticNet:
         )
 
     def geodesic_curvature(self, along: str) -> Any:
-        """Signed curvature in the tangent plane of the "u"- or "v"-lines, positive towards N x T."""
+        """Signed geodesic curvature of the "u"- or "v"-lines, positive where they bend to N x T."""
         tangent = self.r_u if along == "u" else self.r_v
         bent = self.d(tangent, along)
         return self.calculus.dot(bent, self.calculus.cross(self.normal, tangent))

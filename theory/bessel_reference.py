@@ -79,10 +79,10 @@ def fixed_point(*, digits: int = 30) -> Any:
     return inverse_i0(3, digits=digits)
 
 
-def supporting_point(*, digits: int = 30) -> Any:
+def supporting_argument(*, digits: int = 30) -> Any:
     """Place w > 0 where the supporting quadratic touches I_0(2 w^2)/3: 2 w^2 I_1 = I_0 there.
 
-    >>> print(mp.nstr(supporting_point(), 6))
+    >>> print(mp.nstr(supporting_argument(), 6))
     0.896738
     """
     return settled(
@@ -102,6 +102,20 @@ def supporting_constant(*, digits: int = 30) -> Any:
     def compute() -> tuple[Any, Any]:
         t = _touching()
         return 2 * mp.besseli(0, t) / (3 * t), mp.one
+
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
+
+
+def supporting_scale(*, digits: int = 30) -> Any:
+    """Largest value alpha* of w/sqrt(I_0(2 w^2)/3): the supporting quadratic is (w/alpha*)^2.
+
+    >>> print(mp.nstr(supporting_scale() ** -2, 6))
+    0.729143
+    """
+
+    def compute() -> tuple[Any, Any]:
+        t = _touching()
+        return mp.sqrt(3 * t / (2 * mp.besseli(0, t))), mp.one
 
     return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 

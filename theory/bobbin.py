@@ -22,9 +22,9 @@ S, THETA = sp.symbols("s theta", real=True)
 def radius() -> Any:
     """Radius rho(s): the solution of rho_ss = rho with rho(0) = 1/kappa and rho_s(0) = 0."""
     a, b = sp.symbols("a b")
-    rho = a * sp.exp(S) + b * sp.exp(-S)
-    throat = {sp.Eq(rho.subs(S, 0), 1 / KAPPA), sp.Eq(sp.diff(rho, S).subs(S, 0), 0)}
-    return rho.subs(sp.solve(throat, [a, b])).rewrite(sp.cosh).simplify()
+    rho = a * sp.cosh(S) + b * sp.sinh(S)
+    throat = (rho.subs(S, 0) - 1 / KAPPA, sp.diff(rho, S).subs(S, 0))
+    return rho.subs(sp.solve(throat, [a, b]))
 
 
 def bobbin() -> Meridian:
@@ -44,9 +44,12 @@ def _slope_by_sinh() -> Any:
 
 
 def squared_curvatures() -> tuple[Any, Any]:
-    """Squares of the longitudinal and the azimuthal principal curvature at arc length S."""
-    longitudinal, azimuthal = principal_curvatures(bobbin(), THETA)
-    return sp.simplify(longitudinal**2), sp.simplify(azimuthal**2)
+    """Squares of the longitudinal and the azimuthal principal curvature at arc length S.
+
+    Taken at azimuth 0: the rotations are isometries.
+    """
+    longitudinal, azimuthal = principal_curvatures(bobbin(), sp.Integer(0))
+    return sp.factor(sp.expand(longitudinal**2)), sp.factor(sp.expand(azimuthal**2))
 
 
 def largest_on_disk(kappa: Any, nearest: Any, farthest: Any) -> tuple[Any, Any]:

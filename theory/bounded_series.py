@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import log
 from typing import Any
 
 from flint import arb, arb_poly, ctx
@@ -73,5 +74,7 @@ class BoundedSeries:
 
 def terms_needed(bound: Any, scale: Any, ratio: Any) -> int:
     """Order at which the tail is about 2^-prec of scale > 0, at least 2."""
-    size, rate = float((bound / scale).log().mid()), -float(ratio.log().mid())
-    return max(2, int((ctx.prec * 0.6931471805599453 + max(size, 0.0)) / rate) + 2)
+    size, rate = (bound / scale).log(), -ratio.log()
+    if not (size.is_finite() and rate > 0):
+        raise UndecidedError("no finite bound on the series")
+    return max(2, int((ctx.prec * log(2) + max(float(size.mid()), 0.0)) / float(rate.mid())) + 2)

@@ -34,7 +34,7 @@ def third_form(calculus: VectorCalculus, normal: Vector) -> Form:
 
 
 def determinant(form: Form) -> Any:
-    """Determinant of a quadratic form given by its three coefficients."""
+    """Return the determinant of a quadratic form given by its three coefficients."""
     return form[0] * form[2] - form[1] ** 2
 
 

@@ -11,7 +11,7 @@ Frame = tuple[Vector, Vector, Vector]
 
 
 def curvature_squared(calculus: VectorCalculus, first: Vector, second: Vector) -> Any:
-    """Square of the curvature of a curve from its first two derivatives; undefined where at rest."""
+    """Square of the curvature of a curve from its first two derivatives, the first not 0."""
     binormal = calculus.cross(first, second)
     return calculus.dot(binormal, binormal) / calculus.dot(first, first) ** 3
 
@@ -54,6 +54,4 @@ def handedness(calculus: VectorCalculus, frame: Frame) -> Any:
 
 def connection(net: AsymptoticNet, frame: Frame, along: str) -> sp.Matrix:
     """Matrix A with d(frame) = A frame along "u" or "v", for an orthonormal frame."""
-    return sp.Matrix(
-        3, 3, lambda i, j: net.calculus.dot(net.d(frame[i], along), frame[j])
-    )
+    return sp.Matrix(3, 3, lambda i, j: net.calculus.dot(net.d(frame[i], along), frame[j]))

@@ -26,17 +26,27 @@ def generic_normal() -> Vector:
 def moutard_rules() -> dict[Any, Any]:
     """Values of theta_uv and psi_uv that make N_uv of the generic normal parallel to N.
 
-    Where sin theta is not 0; from the two tangential components of N_uv.
+    Where sin theta is not 0; from the two tangential components of N_uv, taken at azimuth psi = 0.
     """
     theta, psi = sp.Function("theta")(U, V), sp.Function("psi")(U, V)
-    normal = generic_normal()
-    mixed = derivative(normal, U, V)
-    tangent_theta = tuple(sp.diff(entry, theta) for entry in normal)
-    tangent_psi = (-sp.sin(psi), sp.cos(psi), sp.Integer(0))
-    unknowns = [sp.diff(theta, U, V), sp.diff(psi, U, V)]
-    equations = [dot(mixed, tangent_theta), dot(mixed, tangent_psi)]
-    (solution,) = sp.solve([sp.simplify(e) for e in equations], unknowns, dict=True)
-    return dict(solution)
+    mixed = at_azimuth_0(derivative(generic_normal(), U, V))
+    along_meridian = (sp.cos(theta), sp.Integer(0), -sp.sin(theta))
+    components = {sp.diff(theta, U, V): dot(mixed, along_meridian), sp.diff(psi, U, V): mixed[1]}
+    return {
+        unknown: -component.xreplace({unknown: sp.Integer(0)}) / sp.diff(component, unknown)
+        for unknown, component in components.items()
+    }
+
+
+def at_azimuth_0(a: Vector) -> Vector:
+    """Vector built from the generic normal and its derivatives, where psi is 0.
+
+    A turn about the axis takes psi to psi + const and turns every such vector, so that an equation
+    between two of them that holds here holds everywhere.
+    """
+    psi = sp.Function("psi")(U, V)
+    place = {sp.sin(psi): sp.Integer(0), sp.cos(psi): sp.Integer(1)}
+    return (a[0].xreplace(place), a[1].xreplace(place), a[2].xreplace(place))
 
 
 def front_rates(normal: Vector) -> tuple[Vector, Vector]:

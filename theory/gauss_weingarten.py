@@ -92,7 +92,7 @@ NORMAL: Vector = (sp.Integer(0), sp.Integer(0), sp.Integer(1))
 
 
 def codazzi_defects(fields: GaussWeingarten) -> tuple[Any, Any]:
-    """Normal parts of r_uuv - r_uvu and of r_vvu - r_vuv; both vanish on a surface."""
+    """Return the normal parts of r_uuv - r_uvu and r_vvu - r_vuv; both vanish on a surface."""
     along_u = fields.derivative(fields.derivative(R_U, "u"), "v")[2]
     back_u = fields.derivative(fields.derivative(R_U, "v"), "u")[2]
     along_v = fields.derivative(fields.derivative(R_V, "v"), "u")[2]

@@ -46,9 +46,14 @@ def newton_image(value: Any, slope: Function, middle: Any, bracket: Any) -> Any 
     return middle - value / steepness if steepness > 0 else None
 
 
+def _coarse_bits() -> int:
+    """Bits of the search: more where many are in force, as they may cancel near the root."""
+    return COARSE_BITS + ctx.prec // 4
+
+
 def _bisected(function: Function, low: Any, high: Any) -> Any:
     """Point near the root, by bisection on midpoints."""
-    with working(COARSE_BITS):
+    with working(_coarse_bits()):
         for _ in range(BISECTIONS):
             middle = ((low + high) / 2).mid()
             if function(middle).mid() < 0:
@@ -60,11 +65,11 @@ def _bisected(function: Function, low: Any, high: Any) -> Any:
 
 def _refined(function: Function, slope: Function, start: Any) -> Any:
     """Newton's method on midpoints, with twice the bits each time up to those in force."""
-    most, middle = ctx.prec, start
-    ladder = [most]
-    while ladder[-1] > COARSE_BITS:
+    middle, ladder, least = start, [ctx.prec], _coarse_bits()
+    while ladder[-1] > least:
         ladder.append(ladder[-1] // 2 + 8)
-    for bits in (*reversed(ladder[1:]), *ladder[:1] * 2):
+    warm_up = (least // BISECTIONS).bit_length()
+    for bits in (*ladder[-1:] * warm_up, *reversed(ladder), ladder[0]):
         with working(bits):
             steepness = slope(middle)
             if not steepness > 0:

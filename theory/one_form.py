@@ -32,9 +32,7 @@ def primitive(p: Vector, q: Vector, u: sp.Symbol, v: sp.Symbol) -> Vector:
     )
 
 
-def primitive_defect(
-    p: Vector, q: Vector, u: sp.Symbol, v: sp.Symbol
-) -> tuple[Vector, Vector]:
+def primitive_defect(p: Vector, q: Vector, u: sp.Symbol, v: sp.Symbol) -> tuple[Vector, Vector]:
     """Differences r_u - p and r_v - q for the primitive r of p du + q dv."""
     r = primitive(p, q, u, v)
     return (

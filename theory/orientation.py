@@ -45,5 +45,5 @@ def generic_plane() -> TangentPlane:
 
 
 def density(value: Any, x: Vector, y: Vector, normal: Vector) -> Any:
-    """The factor beta with omega(X, Y) = beta (X x Y).N, given omega(X, Y); X, Y independent."""
+    """Factor beta in omega(X, Y) = beta (X x Y).N, given omega(X, Y) for independent X, Y."""
     return value / dot(cross(x, y), normal)

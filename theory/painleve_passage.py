@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb
+from flint import arb, ctx
 
 from theory.bounded_series import terms_needed
 from theory.enclosure import Enclosure
@@ -50,10 +50,11 @@ class Place:
 def risen(piece: Piece) -> tuple[Any, Any | None]:
     """End t of the stretch from 0 where d phi/dt > 0 is certain; t beyond where phi turns, or None.
 
-    Both exact. If phi turns, then d^2 phi/dt^2 < 0 between the two, so that it turns once. Raises
+    Both exact. On a cell either the rate is positive, or d^2 phi/dt^2 < 0 so that the rate is least
+    at the far end. Where it is negative there, phi turns in the cell, and once. Raises
     UndecidedError if cells of the least size do not decide.
     """
-    with working(OUTLINE_BITS):
+    with working(OUTLINE_BITS + ctx.prec // 4):
         end = piece.local(piece.end).upper()
         ratio = arb((end / piece.angle.radius).upper())
         outline = piece.outline(terms_needed(piece.angle.bound, abs(piece.angle.terms[0]), ratio))
@@ -62,11 +63,12 @@ def risen(piece: Piece) -> tuple[Any, Any | None]:
             if width < end * FINEST_CELL:
                 raise UndecidedError("no certain sign of the slope", Enclosure.of(outline.rate(t)))
             far = (t + width).min(end).mid()
-            cell = t.union(far)
-            if outline.rate(cell) > 0:
-                t, width = far, width * 2
-            elif outline.rate(far) < 0 and outline.second(cell) < 0:
+            cell, rate = t.union(far), outline.rate(far)
+            falling = bool(t > 0 and outline.second(cell) < 0)
+            if falling and rate < 0:
                 return t, far
+            if outline.rate(cell) > 0 or (falling and rate > 0):
+                t, width = far, width * 2
             else:
                 width = width / 4
         return end, None

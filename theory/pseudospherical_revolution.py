@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 
 from theory.surface_of_revolution import Meridian, rotated
-from theory.vectors import Vector, added, cross, dot, scaled, triple
+from theory.vectors import Vector, added, cross, dot, scaled
 
 U, V, PSI, THETA, Z = sp.symbols("u v psi theta z", real=True)
 
@@ -107,8 +107,13 @@ def meridian_normal() -> Vector:
 
 def torsion(velocity: Vector, acceleration: Vector, jerk: Vector) -> Any:
     """Torsion of a curve in R^3 by its first three derivatives; undefined where it is straight."""
-    binormal = cross(velocity, acceleration)
-    return triple(velocity, acceleration, jerk) / dot(binormal, binormal)
+    velocity, acceleration, jerk = (_expanded(a) for a in (velocity, acceleration, jerk))
+    binormal = _expanded(cross(velocity, acceleration))
+    return sp.expand(dot(binormal, jerk)) / sp.expand(dot(binormal, binormal))
+
+
+def _expanded(a: Vector) -> Vector:
+    return (sp.expand(a[0]), sp.expand(a[1]), sp.expand(a[2]))
 
 
 def torsions(flow: Flow) -> tuple[Any, Any]:

@@ -49,7 +49,7 @@ def middle_height(angles: Angles, i: int) -> Any:
 
 def count_sides(angles: Angles) -> tuple[int, int]:
     """Count the sectors above and below the tangent plane, by the exact sign of the height."""
-    heights = [sp.simplify(middle_height(angles, i)) for i in range(len(angles))]
+    heights = [middle_height(angles, i) for i in range(len(angles))]
     return sum(bool(h > 0) for h in heights), sum(bool(h < 0) for h in heights)
 
 
@@ -91,12 +91,13 @@ def asymptotic_angles(angles: Angles) -> list[Any]:
     """Angle phi on each sector at the centre, rays of even number being u-curves.
 
     cos phi = sigma r_u . r_v with both tangents leaving the centre, sigma the sign of their
-    orientation: +1 on the sectors that begin with a u-curve, counter-clockwise.
+    orientation: +1 on the sectors that begin with a u-curve, counter-clockwise. Each sector is
+    turned so that its first ray is the x-axis.
     """
     found = []
-    for i in range(len(angles)):
-        first, second = direction(ray_angle(angles, i)), direction(ray_angle(angles, i + 1))
+    for i, angle in enumerate(angles):
+        first, second = direction(sp.Integer(0)), direction(angle)
         r_u, r_v = (first, second) if i % 2 == 0 else (second, first)
-        sigma = sp.sign(sp.simplify(r_u[0] * r_v[1] - r_u[1] * r_v[0]))
-        found.append(sp.acos(sigma * sp.simplify((r_u.T * r_v)[0, 0])))
+        sigma = sp.sign(r_u[0] * r_v[1] - r_u[1] * r_v[0])
+        found.append(sp.acos(sigma * (r_u.T * r_v)[0, 0]))
     return found

@@ -1,8 +1,8 @@
 """Pseudospherical fronts with elementary coordinates: pseudosphere, Dini's and Kuen's surface.
 
 Each is written in chi and theta, linear in the asymptotic coordinates u and v (unit speed, torsion
--1 along u and +1 along v); the normal is smooth across the cuspidal edges, and tan(phi/4) belongs to
-the smooth angle phi from r_u to r_v about it: the edges are the zeros of sin phi. That these are
+-1 along u and +1 along v); the normal is smooth across the cuspidal edges, and tan(phi/4) belongs
+to the smooth angle phi from r_u to r_v about it: the edges are the zeros of sin phi. That these are
 such surfaces is verified by the checks (position, normal and angle agree), never assumed.
 """
 
@@ -101,7 +101,7 @@ class Front:
         )
 
     def _tangent(self, along: str) -> Vector:
-        """Derivative of the position along "u" or "v"."""
+        """Return the derivative of the position along "u" or "v"."""
         chi_rate, theta_rate = self.rates[along]
         radial, angular, axial = (
             chi_rate * entry.diff(self.chi) + theta_rate * entry.diff(self.theta)

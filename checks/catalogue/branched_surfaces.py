@@ -50,22 +50,15 @@ _ISOMETRIES: tuple[Claim, ...] = (
                 r"(used, not stated) $y$ is an immersion: $\partial_1 y \times \partial_2 y "
                 r"\ne 0$"
             ),
+            (
+                "(used, not stated) the coordinates are of one orientation, that of $dA$ in "
+                "(thmegrg): exchanging $x^1$ and $x^2$ turns $N$ into $-N$"
+            ),
         ),
         checks=(
             Check(
-                name="printed",
-                run=_V + "gauss_map",
-                routes=(
-                    "the formula in one coordinate system",
-                    "the formula after linear changes of coordinates",
-                ),
-                mutants=(Mutant(name="twice the vector", given={"order": 2}),),
-            ),
-            Check(
                 name="coordinates of one orientation",
                 run=_V + "gauss_map",
-                form="corrected",
-                given={"orientation_preserving": True},
                 routes=(
                     "the formula in one coordinate system",
                     "the formula after linear changes of coordinates",
@@ -76,17 +69,6 @@ _ISOMETRIES: tuple[Claim, ...] = (
                         name="orientation reversed too", given={"orientation_preserving": False}
                     ),
                 ),
-            ),
-        ),
-        erratum=Erratum(
-            printed="$N$ is given by the formula in arbitrary coordinates",
-            corrected="in arbitrary coordinates of one orientation",
-            kind="hypothesis",
-            witness="exchanging $x^1$ and $x^2$ turns $N$ into $-N$",
-            conclusion_survives=True,
-            remark=(
-                "item (F) of section 3.1 removes the ambiguity; (thmegrg) needs it too,"
-                " the sign of $dA$ going with that of $N$"
             ),
         ),
     ),
@@ -166,8 +148,10 @@ _ISOMETRIES: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                r"where $\kappa$ is constant, $y \circ f$ with $f$ preserving the area "
-                r"solves it too: the system prescribes only $\kappa\,dA$"
+                r"the system prescribes only $\kappa\,dA$: where $\kappa$ is constant, $y \circ f$ "
+                "with $f$ preserving the area solves it too. With $dA$ read as the area of $y$ "
+                r"itself, solutions with constant $\kappa$ are isometries of $g$ up to a change of "
+                "coordinates, which is how the paper uses it"
             ),
         ),
     ),
@@ -243,10 +227,10 @@ _ISOMETRIES: tuple[Claim, ...] = (
             corrected=r"if $\Omega$ is simply connected and the metric smooth on its closure",
             kind="hypothesis",
             witness=(
-                r"on the unit disk the Poincar\'e metric is complete and has no "
-                r"extension. And the annulus $|s| < 1$ of the bobbin with $\kappa = 2$: "
-                "its throat is a closed geodesic, and a disk filling it would have "
-                r"$\iint K\,dA = 2\pi$ by Gauss-Bonnet"
+                r"the annulus $|s| < 1$ of the bobbin with $\kappa = 2$: its throat is a "
+                "closed geodesic, and a disk filling it would have "
+                r"$\iint K\,dA = 2\pi$ by Gauss-Bonnet. And, if $g$ need be smooth inside "
+                r"only, the Poincar\'e metric on the unit disk, which is complete"
             ),
             conclusion_survives=True,
             remark=(
@@ -299,35 +283,34 @@ _ISOMETRIES: tuple[Claim, ...] = (
                 name="printed",
                 run=_PIECES + "finite_piece",
                 routes=(
-                    "bobbins of every throat curvature",
+                    "first form of Dini's surfaces",
                     "closed surface of genus 2 from a regular octagon",
                 ),
-                mutants=(Mutant(name="bobbins too short", given={"throat": "half"}),),
+                mutants=(Mutant(name="strip too narrow", given={"slack": -1}),),
             ),
             Check(
-                name="disks of curvature -1, immersed",
+                name="disks of curvature -1",
                 run=_PIECES + "finite_piece",
                 form="corrected",
-                given={"closed": False, "embedded": False},
+                given={"closed": False},
                 routes=(
-                    "first form and Gauss curvature of the bobbin",
-                    "Fermi coordinates of H^2",
+                    "first form of Dini's surfaces",
+                    "strips of H^2 along a geodesic",
                 ),
                 mutants=(
                     Mutant(name="closed surfaces too", given={"closed": True}),
-                    Mutant(name="embedded", given={"embedded": True}),
-                    Mutant(name="bobbins of throat curvature sinh R", given={"throat": "sinh"}),
-                    Mutant(name="bobbins of throat curvature cosh(R/2)", given={"throat": "half"}),
+                    Mutant(name="strip narrower than the disk", given={"slack": -1}),
+                    Mutant(name="surface of revolution", given={"pitch": 0}),
                 ),
             ),
         ),
         erratum=Erratum(
             printed="bounded smooth hyperbolic surfaces are embedded",
             corrected=(
-                r"bounded subsets of $\mathbb{H}^2$ (of simply connected surfaces, with "
-                "Hong) are immersed"
+                r"simply connected bounded domains are: embedded if $K = -1$, immersed by "
+                "the theorem of Hong for variable curvature"
             ),
-            kind="hypothesis",
+            kind="ambiguous",
             witness=(
                 "the closed surface of genus 2 and curvature $-1$ has finite diameter; "
                 r"in $\mathbb{R}^3$ it would have $K > 0$ where it is farthest from the "
@@ -335,8 +318,9 @@ _ISOMETRIES: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                "the theorem named yields immersions: the bobbin's is not injective on "
-                "a disk of radius 2"
+                r"the context, domains of $\mathbb{R}^2$, excludes closed surfaces; but annuli, "
+                "whose metric need not extend, and the step from immersions to embeddings are "
+                "not covered by the argument given"
             ),
         ),
     ),

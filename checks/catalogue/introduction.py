@@ -10,7 +10,7 @@ _METRICS: tuple[Claim, ...] = (
     Claim(
         id="1.not-flat",
         section="1",
-        where="section 1, line 94",
+        where="section 1, line 95",
         kind="sentence",
         statement=(
             "The metrics of leaves and torn sheets, of negative curvature, are not "
@@ -126,40 +126,25 @@ _METRICS: tuple[Claim, ...] = (
         statement=(
             "Hyperbolic surfaces are those whose perimeter grows exponentially with the radius."
         ),
-        checks=(
-            Check(
-                name="printed",
-                run=_PLANE + "negative_curvature_growth",
-                routes=(
-                    "curvature of four rotationally symmetric planes",
-                    "rate of growth of their perimeters",
-                ),
-                mutants=(Mutant(name="no exponential growth", given={"opposite": True}),),
+        hypotheses=(
+            (
+                r"(used, not stated) $K \le -\delta^2 < 0$: $ds^2 = dr^2 + (r + r^3)^2 "
+                r"d\theta^2$ has $K = -6/(1 + r^2) < 0$ and perimeters $2\pi(r + r^3)$"
             ),
+        ),
+        checks=(
             Check(
                 name="curvature bounded away from 0",
                 run=_PLANE + "negative_curvature_growth",
-                form="corrected",
-                given={"bounded_away": True},
                 routes=(
                     "Wronskian against constant curvature",
-                    "rate of growth on the samples",
+                    "rate of growth of the perimeters of four rotationally symmetric planes",
                 ),
                 mutants=(
                     Mutant(name="curvature only negative", given={"bounded_away": False}),
                     Mutant(name="no exponential growth", given={"opposite": True}),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed="negative curvature means exponential growth of the perimeter",
-            corrected=r"where $K \le -\delta^2 < 0$",
-            kind="hypothesis",
-            witness=(
-                r"$ds^2 = dr^2 + (r + r^3)^2 d\theta^2$ has $K = -6/(1 + r^2) < 0$ and "
-                r"perimeters $2\pi(r + r^3)$"
-            ),
-            conclusion_survives=True,
         ),
     ),
 )
@@ -168,56 +153,38 @@ _EXISTENCE: tuple[Claim, ...] = (
     Claim(
         id="1.complete-unbounded",
         section="1",
-        where="section 1, line 106",
+        where="section 1, line 107",
         kind="sentence",
         statement=(
             "The theorems of Hilbert and Efimov are about complete surfaces, which are "
             "necessarily unbounded."
         ),
-        checks=(
-            Check(
-                name="printed",
-                run=_PIECES + "complete_is_unbounded",
-                routes=(
-                    "pole of the factor of the disk",
-                    "closed surface of genus 2 from a regular octagon",
-                ),
-                mutants=(Mutant(name="incomplete disk", given={"power": 1}),),
-            ),
-            Check(
-                name="simply connected surfaces",
-                run=_PIECES + "complete_is_unbounded",
-                form="corrected",
-                given={"simply_connected": True},
-                routes=(
-                    "pole of the factor of the disk",
-                    "convexity of the disk",
-                ),
-                mutants=(
-                    Mutant(name="closed surfaces too", given={"simply_connected": False}),
-                    Mutant(name="incomplete disk", given={"power": 1}),
-                ),
+        hypotheses=(
+            (
+                r"(used, not stated) the surfaces lie in $\mathbb{R}^3$: the closed surface of "
+                "genus 2 and curvature $-1$ is complete, of diameter at most "
+                r"$2\operatorname{arcosh}(3 + 2\sqrt{2})$, and has no $C^2$ immersion there"
             ),
         ),
-        erratum=Erratum(
-            printed="complete surfaces of negative curvature are unbounded",
-            corrected="complete simply connected ones are",
-            kind="hypothesis",
-            witness=(
-                "the closed surface of genus 2 and curvature $-1$ is complete, of "
-                r"diameter at most $2\operatorname{arcosh}(3 + 2\sqrt{2})$"
-            ),
-            conclusion_survives=True,
-            remark=(
-                "no closed surface with $K < 0$ has a $C^2$ immersion in "
-                r"$\mathbb{R}^3$: what is said of surfaces in $\mathbb{R}^3$ stands"
+        checks=(
+            Check(
+                name="surfaces in space",
+                run=_PIECES + "complete_is_unbounded",
+                routes=(
+                    "pole of the factor of the disk",
+                    "curvature at the point farthest from the origin",
+                ),
+                mutants=(
+                    Mutant(name="closed surfaces too", given={"in_space": False}),
+                    Mutant(name="incomplete disk", given={"power": 1}),
+                ),
             ),
         ),
     ),
     Claim(
         id="1.incomplete-surfaces",
         section="1",
-        where="section 1, line 106",
+        where="section 1, line 107",
         kind="sentence",
         statement=(
             "The theorems say nothing of surfaces that are not complete: there are "
@@ -242,7 +209,7 @@ _EXISTENCE: tuple[Claim, ...] = (
     Claim(
         id="1.finite-piece-embeds",
         section="1",
-        where="section 1, line 106",
+        where="section 1, line 107",
         kind="sentence",
         statement=(
             "Bounded parts of smooth hyperbolic surfaces always have smooth isometric "
@@ -257,44 +224,43 @@ _EXISTENCE: tuple[Claim, ...] = (
                 name="printed",
                 run=_PIECES + "finite_piece",
                 routes=(
-                    "bobbins of every throat curvature",
+                    "first form of Dini's surfaces",
                     "closed surface of genus 2 from a regular octagon",
                 ),
-                mutants=(Mutant(name="bobbins too short", given={"throat": "half"}),),
+                mutants=(Mutant(name="strip too narrow", given={"slack": -1}),),
             ),
             Check(
-                name="disks of curvature -1, immersed",
+                name="disks of curvature -1",
                 run=_PIECES + "finite_piece",
                 form="corrected",
-                given={"closed": False, "embedded": False},
+                given={"closed": False},
                 routes=(
-                    "first form and Gauss curvature of the bobbin",
-                    "Fermi coordinates of H^2",
+                    "first form of Dini's surfaces",
+                    "strips of H^2 along a geodesic",
                 ),
                 mutants=(
                     Mutant(name="closed surfaces too", given={"closed": True}),
-                    Mutant(name="embedded", given={"embedded": True}),
-                    Mutant(name="bobbins of throat curvature sinh R", given={"throat": "sinh"}),
-                    Mutant(name="bobbins of throat curvature cosh(R/2)", given={"throat": "half"}),
+                    Mutant(name="strip narrower than the disk", given={"slack": -1}),
+                    Mutant(name="surface of revolution", given={"pitch": 0}),
                 ),
             ),
         ),
         erratum=Erratum(
             printed="any finite piece is embedded",
             corrected=(
-                r"any bounded subset of $\mathbb{H}^2$ (of a simply connected surface, "
-                "with Hong) is immersed"
+                r"any bounded piece of $\mathbb{H}^2$ is embedded, any bounded simply connected "
+                "piece of variable curvature is immersed (Hong)"
             ),
             kind="hypothesis",
             witness=(
-                "the closed surface of genus 2 and curvature $-1$, a finite piece of "
-                r"itself: in $\mathbb{R}^3$ it would have $K > 0$ where it is farthest "
-                "from the origin"
+                "the closed surface of genus 2 and curvature $-1$, or all of it but one point "
+                r"$p$: in $\mathbb{R}^3$ it would have $K > 0$ where it is farthest from the "
+                "origin, or from the place of $p$"
             ),
             conclusion_survives=True,
             remark=(
-                "the theorem named yields immersions: the bobbin's is not injective on "
-                "a disk of radius 2"
+                r"Dini's surface of pitch $1/\cosh w$ embeds a strip of $\mathbb{H}^2$ of width "
+                "$w$ along a geodesic, and so disks of any radius: embedded is right at $K = -1$"
             ),
         ),
     ),
@@ -327,27 +293,24 @@ _EXISTENCE: tuple[Claim, ...] = (
         where="section 1, line 109",
         kind="sentence",
         statement="$C^{1,1}$ isometric immersions are flexible, $C^2$ ones are rigid.",
+        hypotheses=(
+            (
+                "(used, not stated) rigid means that the number of sectors at a point is fixed, "
+                "flexible that it is not. In the established sense, that the metric determines "
+                r"the surface up to motions, $C^2$ immersions are not rigid: the bobbins of all "
+                r"$\kappa > \sinh R$ contain the same disk of radius $R$, their metric being "
+                r"$ds^2 + \cosh^2 s\,d\tau^2$, $\theta = \kappa\tau$, the curvature of the "
+                r"throat $\kappa$"
+            ),
+        ),
         rests_on=(
             "thm:branched",
             "lem:surgery",
         ),
         checks=(
             Check(
-                name="printed",
-                run=_V + "rigidity",
-                routes=(
-                    "metrics of all bobbins in Fermi coordinates",
-                    "curvature of their throats",
-                ),
-                mutants=(
-                    Mutant(name="six sectors", given={"reading": "sectors", "smooth_sectors": 6}),
-                ),
-            ),
-            Check(
                 name="number of sectors",
                 run=_V + "rigidity",
-                form="corrected",
-                given={"reading": "sectors"},
                 routes=(
                     "quadratic forms of negative determinant",
                     "quadratic saddles over stars",
@@ -356,24 +319,6 @@ _EXISTENCE: tuple[Claim, ...] = (
                     Mutant(name="determined by the metric", given={"reading": "unique"}),
                     Mutant(name="six sectors on C^2 surfaces", given={"smooth_sectors": 6}),
                 ),
-            ),
-        ),
-        erratum=Erratum(
-            printed="$C^2$ isometric immersions are rigid",
-            corrected=(
-                "the number of sectors at a point is 4 for $C^2$ immersions, any even "
-                "number from 4 on for $C^{1,1}$ ones"
-            ),
-            kind="ambiguous",
-            witness=(
-                r"the bobbins of all $\kappa > \sinh R$ contain the same disk of radius "
-                r"$R$: their metric is $ds^2 + \cosh^2 s\,d\tau^2$, $\theta = "
-                r"\kappa\tau$, the curvature of the throat is $\kappa$"
-            ),
-            conclusion_survives=True,
-            remark=(
-                "rigid has the established meaning that the metric determines the "
-                "surface up to motions"
             ),
         ),
     ),
@@ -532,7 +477,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.assembly",
         section="1",
-        where="informal proposition (prop:assembly), lines 115-117",
+        where="informal proposition (prop:assembly), lines 115-116",
         kind="proposition",
         statement=(
             r"$2m \ge 4$ smooth curves from $p$, tangent to a common plane there, with "
@@ -557,17 +502,18 @@ _RESULTS: tuple[Claim, ...] = (
                 mutants=(Mutant(name="tangents in order", given={"cyclic": True}),),
             ),
             Check(
-                name="asymptotic curves in order, second order",
+                name="asymptotic curves in order",
                 run=_V + "assembly",
-                form="support",
+                form="corrected",
                 given={"osculating": True, "cyclic": True},
                 routes=(
-                    "normal curvatures that the curves prescribe",
                     "quadratic saddle with the tangents as rays",
+                    "Frenet frames in the Lelieuvre formulae",
                 ),
                 mutants=(
                     Mutant(name="osculating planes left free", given={"osculating": False}),
                     Mutant(name="tangents in a half-plane", given={"cyclic": False}),
+                    Mutant(name="torsions all -1", given={"alternating": False}),
                 ),
             ),
         ),
@@ -586,9 +532,10 @@ _RESULTS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                "(prop:assembly) has these hypotheses and decides the corrected form, "
-                "which is checked here to second order at $p$ only. With $2m = 4$ no "
-                "branch point need result"
+                "the introduction calls itself informal, and (prop:assembly) has these "
+                "hypotheses. What is checked here is that the data of the corrected form fit "
+                "at $p$; that they have a solution is (prop:assembly). With $2m = 4$ no branch "
+                "point need result"
             ),
         ),
         waits_for=("3.2",),
@@ -596,7 +543,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.topological-charge",
         section="1",
-        where="section 1, line 119",
+        where="section 1, line 118",
         kind="sentence",
         statement=(
             "(def:Jp) gives the quantity that measures the topological charge of a branch point."
@@ -623,7 +570,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.branched-theorem",
         section="1",
-        where="informal theorem (thm:branched), line 121",
+        where="informal theorem (thm:branched), line 120",
         kind="theorem",
         statement=(
             r"If a pseudospherical surface is a limit in $W^{2,2}_{\mathrm{loc}}$ of "
@@ -644,7 +591,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.surgery",
         section="1",
-        where="section 1, line 123",
+        where="section 1, line 122",
         kind="sentence",
         statement="Surgery adds branch points to a surface.",
         rests_on=("lem:surgery",),
@@ -653,7 +600,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.sine-gordon",
         section="1",
-        where="section 1, line 123",
+        where="section 1, line 122",
         kind="equation",
         statement=(
             "On smooth pseudospherical surfaces the angle of the asymptotic directions "
@@ -685,7 +632,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.branched-sine-gordon",
         section="1",
-        where="informal theorem (thm:sg-branched), lines 125-129",
+        where="informal theorem (thm:sg-branched), lines 124-128",
         kind="theorem",
         statement=(
             r"$\oint_{\partial\Gamma} \frac12(\partial_v\varphi\,dv - "
@@ -697,6 +644,11 @@ _RESULTS: tuple[Claim, ...] = (
                 r"(used, not stated) $\Gamma$ has compact closure and no branch point on its"
                 " boundary"
             ),
+            (
+                r"(used, not stated) $\partial\Gamma$ has the orientation of the surface, and "
+                r"$\sin\varphi\,du\,dv$ is its area: in sectors with $\sigma = -1$ that is not "
+                r"the orientation of $(u, v)$"
+            ),
         ),
         rests_on=(
             "thm:sg-branched",
@@ -705,30 +657,8 @@ _RESULTS: tuple[Claim, ...] = (
         ),
         checks=(
             Check(
-                name="printed, no branch point",
+                name="no branch point",
                 run=_V + "branched_smooth",
-                part="smooth",
-                routes=(
-                    "Riemann tensor of the metric of asymptotic lines",
-                    "Stokes",
-                ),
-                mutants=(Mutant(name="factor 1 for 1/2", given={"denominator": 1}),),
-            ),
-            Check(
-                name="printed, one branch point",
-                run=_V + "branched_star",
-                part="branch point",
-                routes=(
-                    "angles of the sectors of four stars",
-                    "the printed correction",
-                ),
-                mutants=(Mutant(name="opposite correction", given={"sign": 1}),),
-            ),
-            Check(
-                name="boundary oriented by omega",
-                run=_V + "branched_smooth",
-                form="corrected",
-                given={"orientation": "surface"},
                 part="smooth",
                 routes=(
                     "Riemann tensor of the metric of asymptotic lines",
@@ -741,6 +671,16 @@ _RESULTS: tuple[Claim, ...] = (
                         name="oriented by the coordinates", given={"orientation": "coordinates"}
                     ),
                 ),
+            ),
+            Check(
+                name="printed, one branch point",
+                run=_V + "branched_star",
+                part="branch point",
+                routes=(
+                    "angles of the sectors of four stars",
+                    "the printed correction",
+                ),
+                mutants=(Mutant(name="opposite correction", given={"sign": 1}),),
             ),
             Check(
                 name="jumps included",
@@ -766,30 +706,35 @@ _RESULTS: tuple[Claim, ...] = (
                 r"\iint_\Gamma\sin\varphi\,du\,dv - \pi\sum(m_i - 2)$"
             ),
             corrected=(
-                r"$\Delta_\Gamma = \iint_\Gamma \sigma\sin\varphi\,du \wedge dv - "
-                r"\pi\sum(m_i - 2)$, $\partial\Gamma$ oriented by $\omega$, the left "
-                r"side including the jumps of $\varphi$ where $\partial\Gamma$ crosses "
-                "an asymptotic curve through a branch point"
+                r"with the jumps of $\varphi$ where $\partial\Gamma$ crosses an asymptotic curve "
+                r"through a branch point included on the left, which makes it $\Delta_\Gamma$"
             ),
             kind="ambiguous",
             witness=(
-                r"where $\sigma = -1$, $\varphi_{uv} = -\sin\varphi$, and with the "
-                r"orientation of $du\,dv$ the two sides are opposite; and round the "
-                "centre of a small star with $m = 3$ the derivatives contribute "
-                r"nothing, while the right side tends to $-\pi$"
+                "round the centre of a small star with $m = 3$ the derivatives of "
+                r"$\varphi$ contribute next to nothing, while the right side tends to $-\pi$"
             ),
             conclusion_survives=True,
-            remark="(sg-global) is free of both ambiguities",
+            remark=(
+                "the theorem is announced with an appropriate definition of the angle, and "
+                "(sg-global), in terms of its values at the vertices, is free of the ambiguity"
+            ),
         ),
     ),
     Claim(
         id="1.charge",
         section="1",
-        where="section 1, line 130",
+        where="section 1, line 128",
         kind="sentence",
         statement=(
             r"The correction is $\pi$ times the sum of the topological charges, which "
             "(def:Jp) measures."
+        ),
+        hypotheses=(
+            (
+                "(used, not stated) the charge of $p$ is $m_p - 2 = -(1 + J_p)$, not $J_p$ "
+                "itself, and the correction is subtracted"
+            ),
         ),
         rests_on=(
             "def:Jp",
@@ -797,19 +742,8 @@ _RESULTS: tuple[Claim, ...] = (
         ),
         checks=(
             Check(
-                name="printed",
-                run=_V + "charge",
-                routes=(
-                    "winding number of the gradient of quadratic saddles",
-                    "the printed correction",
-                ),
-                mutants=(Mutant(name="m - 3 for m - 2", given={"regular": 3}),),
-            ),
-            Check(
                 name="charge -(1 + J_p)",
                 run=_V + "charge",
-                form="corrected",
-                given={"reading": "excess"},
                 routes=(
                     "winding number of the gradient of quadratic saddles",
                     "the printed correction",
@@ -820,24 +754,11 @@ _RESULTS: tuple[Claim, ...] = (
                 ),
             ),
         ),
-        erratum=Erratum(
-            printed=(
-                r"the correction is $\pi$ times the sum of the charges, the charge being"
-                " $J_p$"
-            ),
-            corrected=r"$-\pi$ times the sum of the charges $m_p - 2 = -(1 + J_p)$",
-            kind="ambiguous",
-            witness=(
-                "at a branch point with $m = 3$, $J_p = -2$ and $m - 2 = 1$; at a "
-                "regular point $J_p = -1$ and the correction is 0"
-            ),
-            conclusion_survives=True,
-        ),
     ),
     Claim(
         id="1.intrinsic-nets",
         section="1",
-        where="section 1, line 132",
+        where="section 1, line 130",
         kind="sentence",
         statement=(
             "The nets of section 4.1 represent the second fundamental form in intrinsic"
@@ -852,7 +773,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.greedy",
         section="1",
-        where="section 1, line 132",
+        where="section 1, line 130",
         kind="sentence",
         statement=(
             "(alg:greedy-cuts) distributes branch points greedily so as to lower the "
@@ -864,7 +785,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.min-max",
         section="1",
-        where="section 1, line 132",
+        where="section 1, line 130",
         kind="sentence",
         statement=(
             r"Optimising the elastic energy is the problem of finding $\arg\min_r "
@@ -895,7 +816,7 @@ _RESULTS: tuple[Claim, ...] = (
     Claim(
         id="1.energy-scaling",
         section="1",
-        where="section 1, line 134",
+        where="section 1, line 132",
         kind="sentence",
         statement=(
             r"For disks of radius $R$, $\log\inf\mathcal{E} \sim R$ for smooth and $\sim"
@@ -903,8 +824,10 @@ _RESULTS: tuple[Claim, ...] = (
         ),
         hypotheses=(
             (
-                r"(used, not stated) $\mathcal{E}$ is the maximal curvature "
-                r"$\mathcal{E}_\infty$: see 1.energy-scaling-bending"
+                r"(used, not stated) $\mathcal{E}$ is the maximal curvature $\mathcal{E}_\infty$,"
+                r" as in (e2) and (ebs). For the bending energy $\mathcal{E}_2$, branched or not, "
+                r"$\log\inf\mathcal{E}_2 \sim R$: $\kappa_1^2 + \kappa_2^2 \ge "
+                r"2|\kappa_1\kappa_2| = 2$, so that $\mathcal{E}_2 \ge 2A = 4\pi(\cosh R - 1)$"
             ),
             "$R$ is large",
         ),
@@ -912,32 +835,11 @@ _RESULTS: tuple[Claim, ...] = (
             "e2",
             "ebs",
         ),
-        waits_for=("5",),
-    ),
-    Claim(
-        id="1.energy-scaling-bending",
-        section="1",
-        where="section 1, line 134",
-        kind="sentence",
-        statement=(
-            "For disks of radius $R$ the elastic (bending) energy of branched "
-            r"immersions has $\log\inf\mathcal{E} \sim \sqrt{R}$."
-        ),
-        hypotheses=(r"$\mathcal{E} = \mathcal{E}_2 = \iint(\kappa_1^2 + \kappa_2^2)\,dA$",),
         checks=(
             Check(
-                name="printed",
+                name="the bending energy grows exponentially",
                 run=_V + "bending_growth",
-                routes=(
-                    "area of the disk by integration",
-                    "principal curvatures of the bobbin",
-                ),
-                mutants=(Mutant(name="square for the root", given={"growth": "square"}),),
-            ),
-            Check(
-                name="linear growth",
-                run=_V + "bending_growth",
-                form="corrected",
+                form="support",
                 given={"growth": "linear"},
                 routes=(
                     "area of the disk by integration",
@@ -949,32 +851,12 @@ _RESULTS: tuple[Claim, ...] = (
                 ),
             ),
         ),
-        erratum=Erratum(
-            printed=(
-                r"branch points lower the elastic energy to $\log\inf\mathcal{E} \sim "
-                r"\sqrt{R}$"
-            ),
-            corrected=(
-                r"$\log\inf\mathcal{E}_2 \sim R$ with and without branch points; "
-                r"$\sqrt{R}$ can hold for $\mathcal{E}_\infty$ only"
-            ),
-            kind="ambiguous",
-            witness=(
-                r"$\kappa_1^2 + \kappa_2^2 \ge 2|\kappa_1\kappa_2| = 2$, so that "
-                r"$\mathcal{E}_2 \ge 2A = 4\pi(\cosh R - 1)$ for every isometric "
-                "immersion of the disk"
-            ),
-            conclusion_survives=True,
-            remark=(
-                "(e2) and (ebs), referred to, are about the maximal curvature; the "
-                "passage speaks of elastic energy"
-            ),
-        ),
+        waits_for=("5",),
     ),
     Claim(
         id="1.number-of-wrinkles",
         section="1",
-        where="section 1, line 134",
+        where="section 1, line 132",
         kind="sentence",
         statement=(
             "The estimates of section 5 give the number of wrinkles of nearly optimal immersions."

@@ -143,6 +143,18 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(Mutant(name="one-percent", given={"scale": "101/100"}),),
             ),
             Check(
+                name="cylinder-unscaled",
+                run=f"{_LIMITS}:stretched_chart",
+                form="corrected",
+                part="coordinates",
+                given={"scale": "1"},
+                routes=("gradient of the extension of a cylinder", "curvature and area of it"),
+                mutants=(
+                    Mutant(name="doubled", given={"scale": "2"}),
+                    Mutant(name="one-percent", given={"scale": "101/100"}, near=True),
+                ),
+            ),
+            Check(
                 name="prefactor-corrected",
                 run=f"{_LIMITS}:gamma_limit_prefactor",
                 form="corrected",

@@ -58,26 +58,48 @@ def _answered(value: Value, given: Numbers, digits: int, certified: bool) -> Ans
     from theory.errors import DomainError, InsufficientPrecisionError, UndecidedError
 
     route = value.certified if certified else value.reference
-    arguments = [_argument(key, given.get(key.name), certified) for key in value.keys]
+    arguments = _arguments(value.keys, given, certified)
     try:
         found = function_of(route)(*arguments, digits=digits)
     except DomainError as error:
-        raise BadInput(f"{value.name}: {error}") from error
+        raise BadInput(f"{value.name}: {_said(error)}") from error
     except (InsufficientPrecisionError, UndecidedError) as error:
-        return f"{value.name}: {error}"
+        return f"{value.name}: {_said(error)}"
     decimal, radius = _decimal(found, digits)
     return Answer(
         decimal=decimal, radius=radius if certified else None, certified=certified, route=route
     )
 
 
-def _argument(key: Key, number: Expression | None, certified: bool) -> Any:
-    """Exact argument: an integer, a rational, or a function that gives it at any precision."""
-    if number is None:
-        return None
+def _arguments(keys: tuple[Key, ...], given: Numbers, certified: bool) -> list[Any]:
+    """Arguments of a route, None where a key is left out.
+
+    Equal numbers become one object: a route can see that they are equal, which no ball decides.
+    """
+    numbers_seen: dict[Any, Any] = {}
+    arguments: list[Any] = []
+    for key in keys:
+        number = given.get(key.name)
+        if number is None:
+            arguments.append(None)
+        elif key.even:
+            arguments.append(int(number.exact or 0))
+        else:
+            arguments.append(numbers_seen.setdefault(number.tree, _real(number, certified)))
+    return arguments
+
+
+def _real(number: Expression, certified: bool) -> Any:
+    """Rational number, or a function that gives the number at the precision in force."""
     if number.exact is not None:
-        return int(number.exact) if key.even else number.exact
+        return number.exact
     return number.ball if certified else number.mpf
+
+
+def _said(error: Any) -> str:
+    """Text of an error of theory, with the number that it is about."""
+    about = error.enclosure and error.enclosure.decimal(12)
+    return f"{error}, {about}" if about else str(error)
 
 
 def _decimal(found: Any, digits: int) -> tuple[str, str]:

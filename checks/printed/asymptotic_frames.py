@@ -74,7 +74,7 @@ def mixed_derivative(n_u: Vector, n_v: Vector, cross: Cross, *, sign: int = 1) -
 
 
 def graph_orientation(x: Vector, y: Vector, *, second: int = 2) -> Any:
-    """Item (F): omega = dx_1 ^ dx_2 on two vectors of R^3; second: the index of the second factor."""
+    """Item (F): omega = dx_1 ^ dx_2 on two vectors of R^3; second: index of the second factor."""
     return x[0] * y[second - 1] - x[second - 1] * y[0]
 
 
@@ -85,9 +85,15 @@ def compatible(beta: Any, x: Vector, y: Vector, normal: Vector, cross: Cross) ->
 
 
 def oriented_normal(
-    omega_uv: Any, r_u: Vector, r_v: Vector, norm: Any, cross: Cross, *, oriented: bool = True,
+    omega_uv: Any,
+    r_u: Vector,
+    r_v: Vector,
+    norm: Any,
+    cross: Cross,
+    *,
+    oriented: bool = True,
     sign: int = 1,
-) -> Vector:  # fmt: skip
+) -> Vector:
     """Right side of (eq:Nfront): sigma r_u x r_v / |r_u x r_v|, sigma = sign(omega(r_u, r_v)).
 
     omega_uv: omega(r_u, r_v), whose sign sympy must know; norm: that of r_u x r_v.

@@ -68,11 +68,22 @@ def turned(normal: Vector, a: Vector, cross: Cross, *, quarters: int = 1) -> Vec
 
 
 def moutard_chain(
-    r_u: Vector, r_v: Vector, normal: Vector, n_v: Vector, products: dict[str, Any], sigma: Any,
-    cross: Cross, *, first: int = 1, second: int = -1, third: int = -1, fourth: int = 1,
-    fifth: int = -1, swapped: bool = False,
-) -> tuple[Vector, ...]:  # fmt: skip
-    """The five right sides of (eq:moutard), in the order in which they are printed.
+    r_u: Vector,
+    r_v: Vector,
+    normal: Vector,
+    n_v: Vector,
+    products: dict[str, Any],
+    sigma: Any,
+    cross: Cross,
+    *,
+    first: int = 1,
+    second: int = -1,
+    third: int = -1,
+    fourth: int = 1,
+    fifth: int = -1,
+    swapped: bool = False,
+) -> tuple[Vector, ...]:
+    """Return the five right sides of (eq:moutard), in the order in which they are printed.
 
     products: the scalars r_u.r_v, r_u.N, N_u.N_v and cos phi under these names; the integers are
     the printed signs; swapped: sin phi in place of cos phi.
@@ -91,9 +102,16 @@ def moutard_chain(
 
 
 def cross_derivative_u(
-    cos_phi: Any, sin_phi: Any, sigma: Any, *, upper_sine: int = -1, upper_cosine: int = 1,
-    lower_sine: int = 1, lower_cosine: int = -1, sigma_power: int = 1,
-) -> Rows:  # fmt: skip
+    cos_phi: Any,
+    sin_phi: Any,
+    sigma: Any,
+    *,
+    upper_sine: int = -1,
+    upper_cosine: int = 1,
+    lower_sine: int = 1,
+    lower_cosine: int = -1,
+    sigma_power: int = 1,
+) -> Rows:
     """Display of item (J): the matrix of d/dv on (r_u, N x r_u, N)."""
     s = sigma**sigma_power
     return (
@@ -104,9 +122,14 @@ def cross_derivative_u(
 
 
 def zero_curvature(
-    a: sp.Matrix, b: sp.Matrix, a_v: sp.Matrix, b_u: sp.Matrix, *, derivative: int = -1,
+    a: sp.Matrix,
+    b: sp.Matrix,
+    a_v: sp.Matrix,
+    b_u: sp.Matrix,
+    *,
+    derivative: int = -1,
     commutator: int = 1,
-) -> sp.Matrix:  # fmt: skip
+) -> sp.Matrix:
     """Item (J): left side A_v - B_u + [A, B] of the zero-curvature condition."""
     return a_v + derivative * b_u + commutator * (a * b - b * a)
 
@@ -122,8 +145,13 @@ def curvature_v(phi_v: Any, *, sign: int = 1) -> Any:
 
 
 def sine_gordon(
-    sin_phi: Any, cos_phi: Any, sigma: Any, *, sign: int = 1, sigma_power: int = 1,
+    sin_phi: Any,
+    cos_phi: Any,
+    sigma: Any,
+    *,
+    sign: int = 1,
+    sigma_power: int = 1,
     swapped: bool = False,
-) -> Any:  # fmt: skip
+) -> Any:
     """Second line of (eq:sg): phi_uv = sigma sin phi, its right side; swapped: cos for sin."""
     return sign * sigma**sigma_power * (cos_phi if swapped else sin_phi)

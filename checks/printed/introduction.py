@@ -32,10 +32,10 @@ def correction(order: Any, *, sign: int = -1, regular: int = 2) -> Any:
     return sign * sp.pi * (order - regular)
 
 
-def charge(index: Any, *, reading: str = "index") -> Any:
-    """Topological charge of a point, of which the correction is said to be a sum times pi.
+def charge(index: Any, *, reading: str = "excess") -> Any:
+    """Topological charge m - 2 of a point, of which the correction is a sum times pi.
 
-    reading: `index` for the winding number J_p itself, `excess` for -(1 + J_p).
+    J_p measures it: `excess` is -(1 + J_p); `index` would be J_p itself.
     """
     return index if reading == "index" else -(1 + index)
 

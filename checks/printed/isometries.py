@@ -24,7 +24,7 @@ def curvature_bounds(mean: Any, *, scale: str = "1", offset: str = "1") -> tuple
 
 
 def max_mean_energy(mean: Any, *, factor: str = "1") -> Any:
-    """Multiple of max |H| that E_infty is said to be essentially the same as (after the display)."""
+    """Multiple of max |H| that E_infty is essentially the same as (after the display)."""
     return sp.Rational(factor) * mean
 
 

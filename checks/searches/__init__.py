@@ -1,5 +1,5 @@
 """Searches for counterexamples: each file finds the worst admissible datum it can.
 
-A search is a module with `SOURCES`, the paths whose change makes its result stale, and
+A search is a module with `SOURCES`, the paths whose change makes its result stale, and a function
 `search(*, seed, progress) -> dict` with the keys `evaluations`, `margin` and what re-analysis needs.
 """

@@ -18,6 +18,15 @@ class Best:
     evaluations: int
 
 
+def _on_faces(
+    low: np.ndarray, high: np.ndarray, population: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Points of the box with about half of their coordinates at an end of the range."""
+    inside = rng.uniform(low, high, size=(population, len(low)))
+    faces = rng.random(inside.shape)
+    return np.where(faces < 0.25, low, np.where(faces > 0.75, high, inside))
+
+
 def from_the_faces(
     objective: Objective,
     bounds: tuple[tuple[float, float], ...],
@@ -35,7 +44,6 @@ def from_the_faces(
     edge of the admissible data. The result is the largest value of all evaluations, never an
     estimate; the count is of evaluations made.
     """
-    rng = np.random.default_rng(seed)
     low, high = np.array(bounds).T
     best = Best(point=(), value=-np.inf, evaluations=0)
 
@@ -51,9 +59,7 @@ def from_the_faces(
         )
         return -value
 
-    start = rng.uniform(low, high, size=(population, len(bounds)))
-    faces = rng.random(start.shape)
-    start = np.where(faces < 0.25, low, np.where(faces > 0.75, high, start))
+    start = _on_faces(low, high, population, np.random.default_rng(seed))
     if known:
         start[: len(known)] = known
     differential_evolution(

@@ -41,11 +41,11 @@ VALUES = (
         reference_digits=DIGITS,
     ),
     Value(
-        name="bessel.supporting_point",
+        name="bessel.supporting_argument",
         meaning="w where the supporting quadratic touches I_0(2 w^2)/3",
         keys=(),
-        certified="theory.bessel:supporting_point",
-        reference="theory.bessel_reference:supporting_point",
+        certified="theory.bessel:supporting_argument",
+        reference="theory.bessel_reference:supporting_argument",
         reference_digits=DIGITS,
     ),
     Value(
@@ -54,6 +54,14 @@ VALUES = (
         keys=(),
         certified="theory.bessel:supporting_constant",
         reference="theory.bessel_reference:supporting_constant",
+        reference_digits=DIGITS,
+    ),
+    Value(
+        name="bessel.supporting_scale",
+        meaning="alpha*, the largest w/sqrt(I_0(2 w^2)/3): the quadratic is (w/alpha*)^2",
+        keys=(),
+        certified="theory.bessel:supporting_scale",
+        reference="theory.bessel_reference:supporting_scale",
         reference_digits=DIGITS,
     ),
 )

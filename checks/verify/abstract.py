@@ -47,23 +47,23 @@ def sub_exponential(setting: Setting, *, tenths: int = 5) -> Evidence:
 
 
 def one_branched_surface(setting: Setting, *, radius: int = 4, order: int = 3) -> Evidence:
-    """Largest curvature of one branched surface on the disk of this radius about its centre.
+    """Whether one branched surface is unbounded on the disk of this radius about its centre.
 
     It is glued of 2m Amsler sectors of angle pi/m. The point u = v = sqrt(x) is within 2 sqrt(x) of
     the centre; and as long as phi <= pi/2, u v <= R^2/2, so that phi <= pi/m + R^2/2.
     """
     corner = star_saddle.regular_star(order)[0]
     reach = edge_of_regularity(corner)[1]
-    if bool(corner + sp.Rational(radius**2, 2) <= sp.pi / 2):
-        return statement(True, shown=f"on the disk of radius {radius} phi <= pi/2", witness="")
-    if bool(2 * sp.sqrt(reach) > radius):
+    bounded = bool(corner + sp.Rational(radius**2, 2) <= sp.pi / 2)
+    if not bounded and bool(2 * sp.sqrt(reach) > radius):
         return Evidence(outcome="undecided", grade="exact", shown="between the two bounds")
     return statement(
-        False,
-        shown="",
-        witness=f"the saddle of order {order} glued of Amsler sectors has a branch point, and its "
+        not bounded,
+        shown=f"the saddle of order {order} glued of Amsler sectors has a branch point, and its "
         f"angle is pi at a point within 2 sqrt({reach}) = {sp.N(2 * sp.sqrt(reach), 5)} of it: its "
         f"curvature is unbounded on the disk of radius {radius}",
+        witness=f"on the disk of radius {radius} phi <= pi/2, and no curvature exceeds "
+        f"cot({corner / 2})",
     )
 
 

@@ -6,6 +6,7 @@ import sympy as sp
 
 from checks.evidence import Evidence, Setting
 from checks.exact import identities, statement
+from checks.positivity import positivity
 from checks.printed import asymptotic_frames as printed
 from checks.verify.nets import explicit_nets, minus, squared_norm
 from theory.asymptotic_net import Cartesian
@@ -47,18 +48,22 @@ def asymptotic_directions(setting: Setting, *, sign: int = -1) -> Evidence:
     e, f, g = sp.symbols("e f g", real=True)
     root = sp.sqrt(f**2 - e * g)
     residuals: dict[str, Any] = {
-        "discriminant": -determinant(second) - sign * brioschi(first, graph.rate)
-        * determinant(first),
-    }  # fmt: skip
+        "discriminant": -determinant(second)
+        - sign * brioschi(first, graph.rate) * determinant(first),
+    }
     for which in (1, -1):
         p = -f + which * root
         residuals[f"direction {which:+d}"] = e * p**2 + 2 * f * p * e + g * e**2
     for net in explicit_nets():
         residuals[f"{net.name}: N.r_uu"] = net.calculus.dot(net.normal, net.d(net.r_u, "u"))
         residuals[f"{net.name}: N.r_vv"] = net.calculus.dot(net.normal, net.d(net.r_v, "v"))
-    return identities(setting, residuals, shown="the second form has two real null directions "
-                      "exactly where K < 0, by discriminant -K (EG - F^2) on every graph; they "
-                      "are coordinate directions on six explicit surfaces")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="the second form has two real null directions "
+        "exactly where K < 0, by discriminant -K (EG - F^2) on every graph; they "
+        "are coordinate directions on explicit surfaces",
+    )
 
 
 _COLUMNS = 7
@@ -100,16 +105,20 @@ def asymptotic_condition(setting: Setting, *, quantity: str = "r_uu") -> Evidenc
     right, left = _side(1, v), _side(-1, v)
     partner = "r_u" if quantity.startswith("N") else "N"
     residuals: dict[str, Any] = {}
-    for name in ("N", "N_u", "N_v", "r_u", "r_v", quantity):
+    for name in dict.fromkeys(("N", "N_u", "N_v", "r_u", "r_v", quantity)):
         jump = minus(right[name], left[name])
         residuals[f"jump of {name}"] = tuple(_truncated(entry, v) for entry in jump)
     for name, side in (("right", right), ("left", left)):
         product = dot(side[quantity], side[partner])
         residuals[f"{partner}.{quantity} on the {name}"] = _truncated(product, v)
-    return identities(setting, residuals, shown=f"on the C^2 surface with phi(u, 0) = pi/2 + |u|, "
-                      f"phi(0, v) = pi/2, the fields r_u, r_v, N, N_u, N_v and {quantity} are "
-                      f"continuous across u = 0 to order {_COLUMNS - 1} in v, and "
-                      f"{partner}.{quantity} = 0")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown=f"on the C^2 surface with phi(u, 0) = pi/2 + |u|, "
+        f"phi(0, v) = pi/2, {quantity} is continuous across u = 0 to order "
+        f"{_COLUMNS - 1} in v as r_u, r_v, N, N_u and N_v are, and "
+        f"{partner}.{quantity} = 0",
+    )
 
 
 def either_normal(setting: Setting, *, second: str = "v", perpendicular: bool = True) -> Evidence:
@@ -131,28 +140,38 @@ def either_normal(setting: Setting, *, second: str = "v", perpendicular: bool = 
             residuals[f"{where}: N.r_u"] = dot(normal, net.r_u)
             residuals[f"{where}: N.r_uu"] = dot(normal, net.d(net.r_u, "u"))
             residuals[f"{where}: N.r_vv"] = dot(normal, net.d(net.r_v, second))
-    return identities(setting, residuals, shown="N is a unit normal and satisfies both asymptotic "
-                      "conditions, whichever sign is chosen")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="N is a unit normal and satisfies both asymptotic "
+        "conditions, whichever sign is chosen",
+    )
 
 
 def normal_across(setting: Setting, *, crosses_edge: bool = False) -> Evidence:
-    """Item (A): where r_u x r_v does not vanish, its direction agrees with one smooth normal.
+    """Item (A): where r_u x r_v does not vanish, it stays on one side of a continuous normal.
 
-    On the pseudosphere, whose edge chi = 0 is where r_u x r_v vanishes; crosses_edge: compare the
-    two sides of the edge instead of two places on one side.
+    On the pseudosphere and Dini's surface, whose normal is smooth across the edge e^chi = 1 where
+    r_u x r_v vanishes: (r_u x r_v).N at any two places on one side has the same sign;
+    crosses_edge: take the two places on either side of the edge instead.
     """
-    front = pseudosphere()
-    net = front.net(1)
-    along = net.calculus.dot(net.calculus.cross(net.r_u, net.r_v), net.normal)
     x = sp.Symbol("exp_chi", positive=True)
-    places = (sp.Rational(1, 2), 2) if crosses_edge else (sp.Rational(1, 3), sp.Rational(1, 2))
-    signs = [sp.sign(along.subs(x, place)) for place in places]
-    return statement(
-        bool(signs[0] == signs[1]),
-        shown="r_u x r_v keeps its side of the smooth normal of the pseudosphere on either side "
-        "of the edge, so one choice of sign serves a whole immersed piece",
-        witness=f"(r_u x r_v).N = {along} has sign {signs[0]} at exp_chi = {places[0]} and "
-        f"{signs[1]} at exp_chi = {places[1]} on the pseudosphere",
+    near, far = sp.symbols("t s", positive=True)
+    above, below = (1 + near, 1 + far), (1 / (1 + near), 1 / (1 + far))
+    pairs = ((above[0], below[1]),) if crosses_edge else (above, below)
+    products = {}
+    for front in (pseudosphere(), dini(2)):
+        net = front.net(1)
+        along = net.calculus.dot(net.calculus.cross(net.r_u, net.r_v), net.normal)
+        for first, second in pairs:
+            where = f"{front.name}, (r_u x r_v).N at e^chi = {first} times that at {second}"
+            products[where] = sp.cancel(along.subs(x, first) * along.subs(x, second))
+    return positivity(
+        setting,
+        products,
+        shown="(r_u x r_v).N, with the smooth normal N, has one "
+        "sign on all of either side of the edge of the pseudosphere and of Dini's "
+        "surface, so one choice serves a whole immersed piece",
     )
 
 
@@ -181,8 +200,12 @@ def unit_speed(
     residuals["determinant of these equations, plus 1"] = (
         sp.Matrix(marked).jacobian(slots).det() + 1
     )
-    return identities(setting, residuals, shown="the Codazzi equations of asymptotic coordinates "
-                      "with K = -1 have E_v = G_u = 0 as their only solution")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="the Codazzi equations of asymptotic coordinates "
+        "with K = -1 have E_v = G_u = 0 as their only solution",
+    )
 
 
 def torsions(setting: Setting, *, magnitude: int = 1, opposite: bool = True) -> Evidence:
@@ -202,8 +225,12 @@ def torsions(setting: Setting, *, magnitude: int = 1, opposite: bool = True) -> 
         net = front.net(1)
         residuals[f"{front.name}: torsion along u"] = line_torsion(net, "u") + magnitude
         residuals[f"{front.name}: torsion along v"] = line_torsion(net, "v") - relation * magnitude
-    return identities(setting, residuals, shown="tau^2 = -K along every asymptotic line, with "
-                      "opposite signs for the two families; +-1 where K = -1")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="tau^2 = -K along every asymptotic line, with "
+        "opposite signs for the two families; +-1 where K = -1",
+    )
 
 
 def labelling(setting: Setting, *, exchange: bool = True, flip: bool = False) -> Evidence:
@@ -226,5 +253,9 @@ def labelling(setting: Setting, *, exchange: bool = True, flip: bool = False) ->
         "torsion along u after": after[0] + 1,
         "torsion along v after": after[1] - 1,
     }
-    return identities(setting, residuals, shown="exchanging the names of u and v exchanges the "
-                      "torsions, so torsion -1 along u and +1 along v can be had")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="exchanging the names of u and v exchanges the "
+        "torsions, so torsion -1 along u and +1 along v can be had",
+    )

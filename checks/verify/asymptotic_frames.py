@@ -6,17 +6,20 @@ import sympy as sp
 
 from checks.evidence import Evidence, Setting
 from checks.printed import asymptotic_frames as printed
-from checks.verify.nets import all_nets, combination, minus, over_nets, system_defects
+from checks.verify.nets import (
+    ROUTES,
+    all_nets,
+    combination,
+    every_net,
+    minus,
+    over_nets,
+    system_defects,
+)
 from theory.asymptotic_net import AsymptoticNet
 from theory.forms import coordinate_line_curvatures, first_form
 from theory.frames import gram, handedness
 from theory.surfaces import pseudosphere
 from theory.vectors import Vector, scaled
-
-_ROUTES = (
-    "derived from Gauss-Weingarten for an unknown angle and either sign of sigma, and by "
-    "differentiating the pseudosphere, Dini's and Kuen's surface on both sides of their edges"
-)
 
 
 def _tangent(net: AsymptoticNet, along: str) -> Vector:
@@ -41,15 +44,20 @@ def orthonormal(setting: Setting, *, turned: str = "own", speed: int = 1) -> Evi
             found[f"handedness, {along}"] = handedness(net.calculus, frame) - 1
         return found
 
-    return over_nets(setting, all_nets(), residuals, shown=f"both triples are orthonormal and "
-                     f"right-handed, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"both triples are orthonormal and right-handed, {ROUTES}",
+    )
 
 
 def principal_normal(setting: Setting, *, signed: bool = False, towards: str = "side") -> Evidence:
     """Item (B): N x r_u is the principal normal of the u-lines and N x r_v that of the v-lines.
 
     signed: whether the curvature may be negative; if not it is |r_uu| or |r_vv|, as for the Frenet
-    frame of a space curve. towards: "side" for N x r_u, "normal" for N. On the pseudosphere.
+    frame of a space curve. towards: "side" for N x r_u, "normal" for N. On the pseudosphere, and
+    on all nets where the curvature is signed.
     """
 
     def residuals(net: AsymptoticNet) -> dict[str, Any]:
@@ -66,8 +74,14 @@ def principal_normal(setting: Setting, *, signed: bool = False, towards: str = "
             found[f"r_{along}{along}"] = minus(bent, scaled(curvature, target))
         return found
 
-    return over_nets(setting, (pseudosphere().net(1),), residuals, shown="r_uu and r_vv are "
-                     "curvature times N x r_u and N x r_v on the pseudosphere")  # fmt: skip
+    nets = all_nets() if signed else (pseudosphere().net(1),)
+    return over_nets(
+        setting,
+        nets,
+        residuals,
+        shown="r_uu and r_vv are the geodesic curvature, of "
+        f"either sign, times N x r_u and N x r_v, {ROUTES}",
+    )
 
 
 def frenet_u(
@@ -81,8 +95,9 @@ def frenet_u(
         matrix = printed.frenet_u(kappa, torsion=torsion, back=back)
         return system_defects([net.d(a, "u") for a in frame], matrix, frame)
 
-    return over_nets(setting, all_nets(), residuals,
-                     shown=f"the Frenet system of the u-lines holds, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting, all_nets(), residuals, shown=f"the Frenet system of the u-lines holds, {ROUTES}"
+    )
 
 
 def frenet_v(
@@ -96,8 +111,9 @@ def frenet_v(
         matrix = printed.frenet_v(kappa, torsion=torsion, back=back)
         return system_defects([net.d(a, "v") for a in frame], matrix, frame)
 
-    return over_nets(setting, all_nets(), residuals,
-                     shown=f"the Frenet system of the v-lines holds, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting, all_nets(), residuals, shown=f"the Frenet system of the v-lines holds, {ROUTES}"
+    )
 
 
 def geodesic_curvatures(
@@ -124,8 +140,12 @@ def geodesic_curvatures(
             )
         return found
 
-    return over_nets(setting, all_nets(), residuals, shown="the entries are the geodesic "
-                     f"curvatures that the metric gives, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"the entries are the geodesic curvatures that the metric gives, {ROUTES}",
+    )
 
 
 def normal_derivative(setting: Setting, *, sign: int = 1) -> Evidence:
@@ -140,8 +160,7 @@ def normal_derivative(setting: Setting, *, sign: int = 1) -> Evidence:
             "differentiated": minus(net.d(net.normal, "u"), stated),
         }
 
-    return over_nets(setting, all_nets(), residuals,
-                     shown=f"N_u = N x r_u, {_ROUTES}")  # fmt: skip
+    return over_nets(setting, all_nets(), residuals, shown=f"N_u = N x r_u, {ROUTES}")
 
 
 def right_handed(setting: Setting, *, sign_u: int = 1, sign_v: int = -1) -> Evidence:
@@ -158,8 +177,12 @@ def right_handed(setting: Setting, *, sign_u: int = 1, sign_v: int = -1) -> Evid
             "handedness, v": handedness(net.calculus, second) - 1,
         }
 
-    return over_nets(setting, all_nets(), residuals, shown="both frames are orthonormal and "
-                     f"right-handed, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"both frames are orthonormal and right-handed, {ROUTES}",
+    )
 
 
 def lelieuvre_u(setting: Setting, *, sign: int = 1, along: str = "u") -> Evidence:
@@ -170,8 +193,8 @@ def lelieuvre_u(setting: Setting, *, sign: int = 1, along: str = "u") -> Evidenc
         stated = printed.lelieuvre_u(n_u, net.normal, net.calculus.cross, sign=sign)
         return {"r_u": minus(net.r_u, stated)}
 
-    return over_nets(setting, all_nets(), residuals,
-                     shown=f"r_u = N_u x N, {_ROUTES}")  # fmt: skip
+    shown = f"r_u = N_u x N, {ROUTES}, and Kuen's surface"
+    return over_nets(setting, every_net(), residuals, shown=shown)
 
 
 def lelieuvre_v(setting: Setting, *, sign: int = -1, along: str = "v") -> Evidence:
@@ -182,5 +205,5 @@ def lelieuvre_v(setting: Setting, *, sign: int = -1, along: str = "v") -> Eviden
         stated = printed.lelieuvre_v(n_v, net.normal, net.calculus.cross, sign=sign)
         return {"r_v": minus(net.r_v, stated)}
 
-    return over_nets(setting, all_nets(), residuals,
-                     shown=f"r_v = -N_v x N, {_ROUTES}")  # fmt: skip
+    shown = f"r_v = -N_v x N, {ROUTES}, and Kuen's surface"
+    return over_nets(setting, every_net(), residuals, shown=shown)

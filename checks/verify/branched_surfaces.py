@@ -60,9 +60,12 @@ def _zero_or_one(expr: Any) -> int:
 
 
 def gauss_map(
-    setting: Setting, *, orientation_preserving: bool = False, order: int = 1
+    setting: Setting, *, orientation_preserving: bool = True, order: int = 1
 ) -> Evidence:
-    """Compare the normal in several coordinate systems, one of them reversing the orientation."""
+    """Compare the normal in several coordinate systems.
+
+    orientation_preserving: whether all are of one orientation; else two coordinates are exchanged.
+    """
     a: Vector = sp.symbols("a1:4", real=True)
     b: Vector = sp.symbols("b1:4", real=True)
     normal = printed.gauss_normal(a, b, order=order)
@@ -187,8 +190,9 @@ def locally_saddle(
                 witness=f"numbers of sectors above and below: {'; '.join(wrong)}",
             ),
         },
-        shown="the second form of a graph has the determinant K det g, negative where K < 0; forms "
-        "of negative determinant have two sectors above and two below the tangent plane",
+        shown="the second form of a graph has the determinant K det g, negative where K < 0; three "
+        "such forms, and by Sylvester's law of inertia all of them, have two sectors above and two "
+        "below the tangent plane",
     )
 
 

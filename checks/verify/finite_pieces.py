@@ -4,9 +4,9 @@ import sympy as sp
 
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
-from theory import closed_surface, collar, hyperbolic_plane
+from theory import closed_surface, collar, dini, hyperbolic_plane, surface_of_revolution
 from theory.bobbin import KAPPA, THETA, S, bobbin, half_length, radius
-from theory.surface_of_revolution import first_form, gauss_curvature
+from theory.curvature import first_form
 
 R = sp.Symbol("R", positive=True)
 GENUS = 2
@@ -20,7 +20,7 @@ def disk_in_bobbin(setting: Setting, *, throat: str = "cosh", curvature: int = -
     that the disk is in |s| <= R. throat: the curvature kappa of the throat, a function of R.
     """
     kappa = _THROATS[throat]
-    e, f, g = first_form(bobbin(), THETA)
+    e, f, g = surface_of_revolution.first_form(bobbin(), THETA)
     room = sp.simplify((kappa**2 - sp.sinh(R) ** 2).rewrite(sp.exp))
     edge = sp.simplify(sp.sinh(half_length()) - KAPPA)
     return combined(
@@ -32,7 +32,10 @@ def disk_in_bobbin(setting: Setting, *, throat: str = "cosh", curvature: int = -
             ),
             "curvature": identities(
                 setting,
-                {"K": gauss_curvature(bobbin(), THETA) - curvature, "edge": edge},
+                {
+                    "K": surface_of_revolution.gauss_curvature(bobbin(), THETA) - curvature,
+                    "edge": edge,
+                },
                 shown="curvature -1 up to sinh L = kappa",
             ),
             "room": statement(
@@ -72,47 +75,87 @@ def closed_surface_immersed(setting: Setting) -> Evidence:
         not (forced + 1).is_positive,
         shown="",
         witness="the closed surface of genus 2 and curvature -1 (a regular octagon with its sides "
-        f"glued) has diameter at most 2 arcosh(3 + 2 sqrt 2); in R^3 the curvature where it is "
-        f"farthest from 0 would be {forced} >= 1/d^2 > 0",
+        "glued), also without one of its points p: its diameter is at most 2 arcosh(3 + 2 sqrt 2), "
+        "and in R^3 its curvature where it is farthest from 0 (from the place of p) would be "
+        f"{forced} >= 1/d^2 > 0",
     )
 
 
 def finite_piece(
-    setting: Setting, *, closed: bool = True, embedded: bool = True, throat: str = "cosh"
+    setting: Setting, *, closed: bool = True, slack: int = 1, pitch: int = 1
 ) -> Evidence:
-    """Bounded hyperbolic surfaces realised in R^3: every disk of H^2, by a bobbin.
+    """Bounded hyperbolic surfaces embedded in R^3: every disk of H^2, by a surface of Dini.
 
-    closed: whether closed surfaces count as finite pieces; embedded: whether the bobbin must be
-    injective on the disk.
+    closed: whether closed surfaces count as finite pieces; slack: width of the strip of H^2 that
+    the surface covers, less the diameter 2R of the disk; pitch: of its screw, 0 for none.
     """
-    parts = {"disk of radius R": disk_in_bobbin(setting, throat=throat)}
+    parts = _dini_holds_disk(slack, pitch)
     if closed:
         parts["closed surface"] = closed_surface_exists(setting)
         parts["closed surface in R^3"] = closed_surface_immersed(setting)
-    if embedded:
-        parts["disk of radius 2"] = _injective_on_disk(2)
+    if all(part.outcome == "pass" for part in parts.values()):
+        parts["metric"] = dini_metric(setting)
     return combined(
         parts,
-        shown="every bounded subset of H^2 lies in a disk, and every disk of H^2 is immersed "
-        "smoothly and isometrically as a part of the cover of a bobbin",
+        shown="every bounded subset of H^2 lies in a disk, and every disk of H^2 is embedded "
+        "smoothly and isometrically as a part of a surface of Dini",
     )
 
 
-def _injective_on_disk(size: int) -> Evidence:
-    """Whether the bobbin of throat curvature cosh R is injective on the disk of radius R = size."""
-    half_turn = sp.pi / sp.cosh(size)
-    return statement(
-        bool(half_turn >= size),
-        shown="the disk is narrower than half a turn",
-        witness=f"half a turn of the throat is {sp.N(half_turn, 5)} < {size}: the bobbin glues "
-        "two points of the disk together, so that this immersion is no embedding",
+def _dini_holds_disk(slack: int, pitch: int) -> dict[str, Evidence]:
+    """Whether the strip is wider than the disk, and the surface free of double points.
+
+    Two points as far from the axis have the same x = tan(v/2) in (0, 1), on which that distance
+    grows; if they lie above each other, u differs by whole turns.
+    """
+    width = 2 * R + slack
+    a, b = dini.radius_and_pitch(dini.WIDTH)
+    turns = sp.Symbol("k", integer=True, positive=True)
+    height = dini.point(a, pitch * b)[2]
+    rise = sp.expand(height.subs(dini.U, dini.U + 2 * sp.pi * turns) - height)
+    # x = 1/(1 + y), y > 0, makes the sign of the rate plain.
+    y = sp.Symbol("y", positive=True)
+    outwards = sp.cancel(sp.diff(dini.distance_to_axis(1), dini.X).subs(dini.X, 1 / (1 + y)))
+    edge = dini.sinh_distance(width).subs(dini.X, 1) - sp.sinh(width)
+    return {
+        "room": statement(
+            bool(width - 2 * R > 0) and edge == 0,
+            shown="the strip 0 < s < w is wider than the disk",
+            witness=f"the strip has the width {width}, the disk the diameter 2R",
+        ),
+        "injective": statement(
+            bool(rise.is_positive) and bool(outwards.is_positive),
+            shown="no double points",
+            witness=f"k turns lift the point by {rise}, and its distance from the axis has the "
+            f"rate {outwards} in x: two points of the disk coincide",
+        ),
+    }
+
+
+def dini_metric(setting: Setting) -> Evidence:
+    """Metric of Dini's surface against ds^2 + cosh^2(s) d tau^2, tau = b (u + a function of x)."""
+    a, b = dini.radius_and_pitch(dini.WIDTH)
+    metric = first_form(dini.point(a, b), (dini.U, dini.X))
+    cosh_squared = 1 + dini.sinh_distance(dini.WIDTH) ** 2
+    across = metric[0, 0] * dini.squared_distance_rate(dini.WIDTH)
+    return identities(
+        setting,
+        {
+            "E - b^2 cosh^2 s": metric[0, 0] - b**2 * cosh_squared,
+            "det - E (ds/dx)^2": metric.det() - across,
+            "d/du": [sp.expand(sp.diff(entry, dini.U)) for entry in metric],
+        },
+        shown="Dini's surface has the metric of a strip of H^2 along a geodesic",
     )
 
 
 def complete_is_unbounded(
-    setting: Setting, *, simply_connected: bool = False, power: int = 2
+    setting: Setting, *, in_space: bool = True, power: int = 2
 ) -> Evidence:
-    """Complete surfaces of curvature -1: the plane H^2, and closed surfaces unless excluded."""
+    """Complete surfaces of negative curvature: those that are bounded are closed (Hopf and Rinow).
+
+    in_space: whether only surfaces in R^3 count, of which none is closed; H^2 is unbounded.
+    """
     factor = 4 / (1 - hyperbolic_plane.X**2 - hyperbolic_plane.Y**2) ** power
     pole = hyperbolic_plane.boundary_pole(factor)
     parts = {
@@ -120,7 +163,9 @@ def complete_is_unbounded(
             pole >= 2, shown="infinite radii", witness="the radii of the disk have finite length"
         )
     }
-    if not simply_connected:
+    if in_space:
+        parts["closed surfaces in R^3"] = _farthest_point_is_convex()
+    else:
         parts["octagon"] = closed_surface_exists(setting)
         corners = closed_surface.corner_count(GENUS)
         bound = 2 * sp.acosh(closed_surface.cosh_circumradius(corners))
@@ -130,7 +175,20 @@ def complete_is_unbounded(
             witness="a closed surface of genus 2 and curvature -1 is complete, and its diameter "
             f"is at most 2 arcosh(3 + 2 sqrt 2) = {sp.N(bound, 5)}",
         )
-    return combined(parts, shown="the complete simply connected surface H^2 is unbounded")
+    return combined(
+        parts,
+        shown="H^2 is unbounded, and no closed surface of R^3 has K < 0 at its point farthest from "
+        "0, so that complete surfaces of R^3 with K < 0 are unbounded",
+    )
+
+
+def _farthest_point_is_convex() -> Evidence:
+    distance = sp.Symbol("d", positive=True)
+    excess = sp.symbols("a b", nonnegative=True)
+    forced = closed_surface.curvature_at_farthest_point(distance, excess)
+    return statement(
+        bool(forced.is_positive), shown="", witness=f"K = {forced} may be negative there"
+    )
 
 
 def metric_extension(

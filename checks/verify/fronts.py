@@ -113,7 +113,7 @@ def _normals() -> tuple[tuple[str, Vector, bool], ...]:
 
 def _constant(expr: Any) -> Any:
     """Value of an expression of u, v that does not depend on them; raises ValueError if it does."""
-    value = sp.simplify(expr.subs({U: 0, V: 0}))
+    value = expr.subs({U: 0, V: 0})
     if not vanishes(expr - value):
         raise ValueError(f"expected a constant, got {expr}")
     return value
@@ -145,9 +145,9 @@ def weakly_harmonic(setting: Setting, *, speeds: bool = True, moutard: bool = Tr
 
 
 def _reduced(vector: Vector, *, harmonic: bool) -> list[Any]:
-    """Entries of a vector, with the values of theta_uv, psi_uv of a Moutard normal put in."""
+    """Entries of a vector at azimuth 0, with theta_uv, psi_uv of a Moutard normal put in."""
     rules = fronts.moutard_rules() if harmonic else {}
-    return [sp.sympify(entry).doit().subs(rules) for entry in vector]
+    return [sp.sympify(entry).doit().subs(rules) for entry in fronts.at_azimuth_0(vector)]
 
 
 def moutard(setting: Setting, *, sign: int = -1, harmonic: bool = True) -> Evidence:

@@ -96,7 +96,7 @@ _PROFILES = (sp.sinh, lambda r: sp.sinh(2 * r) / 2, lambda r: sp.sinh(r) + r**3,
 
 
 def negative_curvature_growth(
-    setting: Setting, *, bounded_away: bool = False, opposite: bool = False
+    setting: Setting, *, bounded_away: bool = True, opposite: bool = False
 ) -> Evidence:
     """Exponential rate of the perimeter on rotationally symmetric planes with K < 0.
 
@@ -166,7 +166,10 @@ def swelling(setting: Setting, *, where: str = "centre", curvature: int = 1) -> 
 
 
 def no_flat_map(setting: Setting, *, curvature: int = -1) -> Evidence:
-    """Curvature of the metric that an arbitrary map into the plane induces."""
+    """Curvature of the metric that an arbitrary conformal map into the plane induces.
+
+    In conformal coordinates of a surface an isometric map into the plane is conformal.
+    """
     a, b = sp.Function("a")(X, Y), sp.Function("b")(X, Y)
     factor = a**2 + b**2
     rules = {
@@ -186,7 +189,7 @@ def no_flat_map(setting: Setting, *, curvature: int = -1) -> Evidence:
                 curvature != 0, shown="", witness="a metric of curvature 0 has an isometric map"
             ),
         },
-        shown="the metric |f'|^2 |dz|^2 of a conformal map into the plane is flat",
+        shown="the metric |f'|^2 |dz|^2 of a conformal map into the plane has curvature 0, not -1",
     )
 
 

@@ -33,7 +33,8 @@ def regular_sectors(setting: Setting, *, per_order: int = 2, curvature: int = -1
             wrong.append(f"{form} has {above} sectors above and {below} below")
     return statement(
         not wrong,
-        shown="a form of negative determinant is positive on two sectors and negative on two",
+        shown="three forms of negative determinant are positive on two sectors and negative on "
+        "two; by Sylvester's law of inertia a linear map takes any such form to any other",
         witness=f"expected {claimed} sectors: {'; '.join(wrong)}",
     )
 
@@ -53,10 +54,10 @@ def branch_sectors(setting: Setting, *, per_order: int = 2, smallest: int = 3) -
     )
 
 
-def rigidity(setting: Setting, *, reading: str = "unique", smooth_sectors: int = 4) -> Evidence:
+def rigidity(setting: Setting, *, reading: str = "sectors", smooth_sectors: int = 4) -> Evidence:
     """Isometric immersions of one metric, by what the word rigid is to mean.
 
-    reading: `unique` for determined by the metric, `sectors` for a fixed number of sectors;
+    reading: `sectors` for a fixed number of sectors, `unique` for determined by the metric;
     smooth_sectors: that number for C^2 surfaces.
     """
     if reading == "unique":
@@ -167,29 +168,29 @@ def sine_gordon(setting: Setting, *, sign: int = 1, factor: int = 1, sigma: int 
 
 
 def branched_smooth(
-    setting: Setting, *, orientation: str = "coordinates", denominator: int = 2, sign_u: int = -1
+    setting: Setting, *, orientation: str = "surface", denominator: int = 2, sign_u: int = -1
 ) -> Evidence:
     """Generalised equation where there is no branch point, by Stokes, for both sigma.
 
-    phi_uv is what K = -1 makes it in the metric with this sigma. orientation: of the boundary,
-    `coordinates` for du dv, `surface` for omega = sigma du dv.
+    With K the curvature of the metric of asymptotic lines, the boundary form has the differential
+    -K sin phi du dv whatever phi is. orientation: of the boundary, `surface` for that of omega =
+    sigma du dv, `coordinates` for that of du dv.
     """
     residuals = {}
     for sigma in (1, -1):
-        metric = chebyshev_metric(PHI, sigma=sigma)
-        mixed = sp.Symbol("m", real=True)
-        curvature = intrinsic_curvature(metric, (U, V)).subs(sp.diff(PHI, U, V), mixed)
-        (value,) = sp.solve(sp.Eq(curvature, -1), mixed)
+        curvature = intrinsic_curvature(chebyshev_metric(PHI, sigma=sigma), (U, V))
         along_u, along_v = printed.boundary_form(
             sp.diff(PHI, U), sp.diff(PHI, V), denominator=denominator, sign_u=sign_u
         )
-        stokes = (sp.diff(along_v, U) - sp.diff(along_u, V)).subs(sp.diff(PHI, U, V), value)
+        stokes = sp.diff(along_v, U) - sp.diff(along_u, V)
         turn = sigma if orientation == "surface" else 1
-        residuals[f"sigma = {sigma}"] = turn * stokes - printed.area_integrand(PHI)
+        area = printed.area_integrand(PHI)
+        residuals[f"sigma = {sigma}"] = turn * stokes + curvature * area
     return identities(
         setting,
         residuals,
-        shown="with the boundary oriented by omega, both signs of sigma give the area integrand",
+        shown="with the boundary oriented by omega, K = -1 makes the boundary integral the area, "
+        "for both signs of sigma",
     )
 
 
@@ -224,7 +225,7 @@ def branched_star(
     )
 
 
-def charge(setting: Setting, *, reading: str = "index", regular: int = 2) -> Evidence:
+def charge(setting: Setting, *, reading: str = "excess", regular: int = 2) -> Evidence:
     """Charges whose sum times -pi is the correction, from the winding number of the normal."""
     residuals = {}
     for n, angles in enumerate(_STARS):
@@ -252,6 +253,14 @@ def index(setting: Setting, *, offset: int = 1, slope: int = -1) -> Evidence:
         - star_saddle.direction(star_saddle.gradient_angle(arbitrary, i))
         for i in (0, 1)
     }
+    # Up to whole turns both sectors turn the gradient by their angle less pi.
+    residuals |= {
+        f"turning on sector {i}": star_saddle.gradient_angle(arbitrary, i + 1)
+        - star_saddle.gradient_angle(arbitrary, i)
+        - (arbitrary[i] - sp.pi)
+        - 2 * sp.pi * (1 - i)
+        for i in (0, 1)
+    }
     residuals |= {
         f"star {n}": star_saddle.winding_number(angles) - (offset + slope * len(angles) // 2)
         for n, angles in enumerate(_STARS)
@@ -259,8 +268,8 @@ def index(setting: Setting, *, offset: int = 1, slope: int = -1) -> Evidence:
     return identities(
         setting,
         residuals,
-        shown="the index is 1 - m, -1 at regular points and below at branch points, whatever the "
-        "angles of the sectors",
+        shown="a sector of angle a turns the gradient by a - pi, and the 2m angles add up to 2 pi: "
+        "the index is 1 - m, -1 at regular points and below at branch points",
     )
 
 
@@ -268,13 +277,18 @@ _QUARTERS = tuple(sp.pi * sp.Rational(k, 2) for k in range(4))
 
 
 def assembly(
-    setting: Setting, *, osculating: bool = False, cyclic: bool = False, gap: int = 3
+    setting: Setting,
+    *,
+    osculating: bool = False,
+    cyclic: bool = False,
+    alternating: bool = True,
+    gap: int = 3,
 ) -> Evidence:
-    """Curves through a point with alternating torsions: what they ask of a surface to second order.
+    """Curves through a point with torsions 1 and -1, and what they ask of a surface there.
 
     osculating: whether the osculating planes must be the common plane; cyclic: whether the
-    tangents must follow each other round the point with gaps below pi. gap: without that, the
-    tangents are at 0, 1, 2 and gap quarters of a half-turn.
+    tangents must follow each other round the point with gaps below pi; alternating: whether the
+    torsions must alternate. gap: the tangents are else at 0, 1, 2 and gap quarters of a half-turn.
     """
     tilts = [0, 0, 0, 0] if osculating else [1, -1, 1, -1]
     rises = [tangent_curves.rise(sp.Integer(2), sp.pi * sp.Rational(k, 2)) for k in tilts]
@@ -293,11 +307,16 @@ def assembly(
         ),
     }
     if osculating:
+        torsions = (-1, 1) if alternating else (-1, -1)
         parts["sectors"] = _star_through(rays)
+        parts["corners"] = identities(
+            setting, tangent_curves.corner_residuals(angle, torsions), shown=""
+        )
     return combined(
         parts,
-        shown="asymptotic curves whose tangents follow each other with gaps below pi bound the "
-        "sectors of a quadratic saddle; beyond second order see (prop:assembly)",
+        shown="curves whose tangents follow each other with gaps below pi are the rays of a "
+        "quadratic saddle, and their Frenet frames are data for the Lelieuvre formulae in each "
+        "sector, consistent at the corner; that these have a solution see (prop:assembly)",
     )
 
 
@@ -323,26 +342,35 @@ def bending_growth(setting: Setting, *, growth: str = "root") -> Evidence:
     bobbin of throat curvature k = cosh R, where it is at most k^2 + 1/k^2.
     """
     r = sp.Symbol("R", positive=True)
-    area = hyperbolic_plane.area(r)
     k = sp.Symbol("k", positive=True)
     excess = sp.factor(k**2 + 1 / k**2 - 2 - (k - 1 / k) ** 2)
     claimed = printed.energy_growth(r, growth=growth)
-    size = sp.simplify(area.rewrite(sp.exp))
-    worst = (sp.cosh(r) ** 2 + 1 / sp.cosh(r) ** 2).rewrite(sp.exp)
+    e = sp.Symbol("e", positive=True)
+    size = sp.cancel(hyperbolic_plane.area(r).rewrite(sp.exp).subs(r, sp.log(e)))
+    cosh = (e + 1 / e) / 2
     ends = largest_on_disk(sp.cosh(r), sp.Integer(0), r)
-    below = sp.limit(sp.log(2 * size) / claimed, r, sp.oo)
-    above = sp.limit(sp.log(size * worst) / claimed, r, sp.oo)
+    # Both logarithms are multiples of R = log e up to bounded terms.
+    below, above = (
+        sp.limit(sp.cancel(bound / e**rate), e, sp.oo)
+        for bound, rate in ((2 * size, 1), (size * (cosh**2 + 1 / cosh**2), 3))
+    )
+    quotient = sp.limit(r / claimed, r, sp.oo)
     return combined(
         {
             "density": identities(setting, {"k^2 + k^-2 - 2 - (k - 1/k)^2": excess}, shown=""),
             "bobbin": identities(
-                setting, {"largest curvatures": [e - sp.cosh(r) ** 2 for e in ends]}, shown=""
+                setting, {"largest curvatures": [k_max - sp.cosh(r) ** 2 for k_max in ends]}, shown=""
+            ),
+            "exponents": statement(
+                all(bool(0 < bound < sp.oo) for bound in (below, above)),
+                shown="",
+                witness=f"the bounds over exp(R) and exp(3R) tend to {below} and {above}",
             ),
             "growth": statement(
-                bool(below > 0) and bool(below < sp.oo) and bool(above < sp.oo),
+                bool(quotient > 0) and bool(quotient < sp.oo),
                 shown="",
-                witness=f"E_2 >= 2 area = 4 pi (cosh R - 1) for every immersion, and the quotient "
-                f"of its logarithm and {claimed} tends to {below}",
+                witness="2 area = 4 pi (cosh R - 1) <= inf E_2 <= C exp(3R), so that log inf E_2 "
+                f"grows like R, and R/({claimed}) tends to {quotient}",
             ),
         },
         shown="the least bending energy of a disk, over branched or over smooth immersions, lies "

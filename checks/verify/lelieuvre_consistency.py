@@ -7,7 +7,7 @@ import sympy as sp
 from checks.evidence import Evidence, Setting
 from checks.exact import identities
 from checks.printed import asymptotic_frames as printed
-from checks.verify.nets import all_nets, minus, over_nets
+from checks.verify.nets import ROUTES, all_nets, minus, over_nets
 from theory.asymptotic_net import AsymptoticNet
 from theory.one_form import primitive_defect, radial_integral
 from theory.vectors import Vector, added, cross, derivative, scaled
@@ -61,8 +61,12 @@ def integrability(setting: Setting, *, relation: int = 1) -> Evidence:
         "r_u - p": added(defect_u, scaled(v, mean)),
         "r_v - q": minus(defect_v, scaled(u, mean)),
     }
-    return identities(setting, residuals, shown="r_u - p and r_v - q are -v and u times a mean of "
-                      "p_v - q_u, for every N of bidegree 1: no gap, a solution")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="r_u - p and r_v - q are -v and u times a mean of "
+        "p_v - q_u, for every N of bidegree 1: no gap, a solution",
+    )
 
 
 def lorentz_harmonic(setting: Setting, *, by: str = "v", sign_v: int = -1) -> Evidence:
@@ -76,9 +80,11 @@ def lorentz_harmonic(setting: Setting, *, by: str = "v", sign_v: int = -1) -> Ev
     gap = minus(derivative(p, v), derivative(q, u))
     twice = derivative(derivative(normal, u), {"u": u, "v": v}[by])
     stated = printed.lorentz_harmonic(normal, twice, cross)
-    return identities(setting, {"gap": added(gap, scaled(2, stated))}, shown="the gap of the "
-                      "Lelieuvre equations is -2 N x N_uv for every twice differentiable "
-                      "N")  # fmt: skip
+    return identities(
+        setting,
+        {"gap": added(gap, scaled(2, stated))},
+        shown="the gap of the Lelieuvre equations is -2 N x N_uv for every twice differentiable N",
+    )
 
 
 def lorentz_harmonic_on_surfaces(setting: Setting, *, by: str = "v") -> Evidence:
@@ -88,9 +94,12 @@ def lorentz_harmonic_on_surfaces(setting: Setting, *, by: str = "v") -> Evidence
         twice = net.d(net.normal, "u", by)
         return {"N x N_uv": printed.lorentz_harmonic(net.normal, twice, net.calculus.cross)}
 
-    return over_nets(setting, all_nets(), residuals, shown="the normal is Lorentz harmonic, derived "
-                     "from Gauss-Weingarten for an unknown angle, and on three explicit surfaces on "
-                     "both sides of their edges")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"the normal is Lorentz harmonic, {ROUTES}",
+    )
 
 
 def mixed_derivative(setting: Setting, *, sign: int = 1) -> Evidence:
@@ -108,8 +117,12 @@ def mixed_derivative(setting: Setting, *, sign: int = 1) -> Evidence:
         "r_uv": added(minus(derivative(p, v), stated), harmonic),
         "r_vu": minus(minus(derivative(q, u), stated), harmonic),
     }
-    return identities(setting, residuals, shown="r_uv = N_u x N_v and r_vu = N_u x N_v wherever "
-                      "N x N_uv = 0, for every twice differentiable N")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="r_uv = N_u x N_v and r_vu = N_u x N_v wherever "
+        "N x N_uv = 0, for every twice differentiable N",
+    )
 
 
 def mixed_derivative_on_surfaces(setting: Setting, *, sign: int = 1) -> Evidence:
@@ -123,7 +136,9 @@ def mixed_derivative_on_surfaces(setting: Setting, *, sign: int = 1) -> Evidence
             "r_vu": minus(net.d(net.r_v, "u"), stated),
         }
 
-    return over_nets(setting, all_nets(), residuals, shown="r_uv = N_u x N_v, derived from "
-                     "Gauss-Weingarten for an unknown angle, and on three explicit surfaces on "
-                     "both sides of their edges")  # fmt: skip
-
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"r_uv = N_u x N_v, {ROUTES}",
+    )

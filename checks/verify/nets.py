@@ -1,6 +1,6 @@
 """The surfaces on which the checks of section 3.1 compare printed formulas with derived fields."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from checks.evidence import Evidence, Setting
@@ -9,21 +9,41 @@ from theory.asymptotic_net import AsymptoticNet, general_net
 from theory.surfaces import dini, kuen, pseudosphere
 from theory.vectors import Vector, added, scaled
 
+ROUTES = (
+    "derived from Gauss-Weingarten for an unknown angle and either sign of sigma, and by "
+    "differentiating the pseudosphere and Dini's surface on both sides of their edges"
+)
 
-def general_nets() -> tuple[AsymptoticNet, ...]:
+
+def general_nets() -> Iterator[AsymptoticNet]:
     """Nets of an unknown angle for both signs of sigma, from Gauss-Weingarten."""
-    return (general_net(1), general_net(-1))
+    yield general_net(1)
+    yield general_net(-1)
 
 
-def explicit_nets() -> tuple[AsymptoticNet, ...]:
-    """Pseudosphere, Dini's (a = 2) and Kuen's surface on both sides of their edges."""
-    fronts = (pseudosphere(), dini(2), kuen())
-    return tuple(front.net(side) for front in fronts for side in (1, -1))
+def simple_nets() -> Iterator[AsymptoticNet]:
+    """Pseudosphere and Dini's surface (a = 2) on both sides of their edges."""
+    for front in (pseudosphere(), dini(2)):
+        yield front.net(1)
+        yield front.net(-1)
 
 
-def all_nets() -> tuple[AsymptoticNet, ...]:
-    """The nets of an unknown angle, then the explicit ones."""
-    return general_nets() + explicit_nets()
+def explicit_nets() -> Iterator[AsymptoticNet]:
+    """Pseudosphere and Dini's surface on both sides of their edges, Kuen's surface on one."""
+    yield from simple_nets()
+    yield kuen().net(-1)
+
+
+def all_nets() -> Iterator[AsymptoticNet]:
+    """Nets of an unknown angle, then pseudosphere and Dini's surface."""
+    yield from general_nets()
+    yield from simple_nets()
+
+
+def every_net() -> Iterator[AsymptoticNet]:
+    """Nets of an unknown angle, then all the explicit ones, Kuen's surface among them."""
+    yield from general_nets()
+    yield from explicit_nets()
 
 
 def minus(a: Vector, b: Vector) -> Vector:
@@ -50,7 +70,7 @@ def system_defects(
 
 def over_nets(
     setting: Setting,
-    nets: Sequence[AsymptoticNet],
+    nets: Iterable[AsymptoticNet],
     residuals: Callable[[AsymptoticNet], Mapping[str, Any]],
     *,
     shown: str,

@@ -41,8 +41,12 @@ def graph_orientation(setting: Setting, *, second: int = 2) -> Evidence:
         "omega on the basis": printed.graph_orientation(first, other, second=second) - 1,
         "omega on any pair": printed.graph_orientation(x, y, second=second) - determinant,
     }
-    return identities(setting, residuals, shown="dx_1 ^ dx_2 of two tangent vectors of any graph "
-                      "is the determinant of their components, 1 on the basis")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="dx_1 ^ dx_2 of two tangent vectors of any graph "
+        "is the determinant of their components, 1 on the basis",
+    )
 
 
 def compatible_normal(setting: Setting, *, side: int = 1) -> Evidence:
@@ -70,9 +74,12 @@ def compatible_normal(setting: Setting, *, side: int = 1) -> Evidence:
         shown="beta is positive",
         witness=f"beta = {beta} is not positive, for N = {normal}",
     )
-    return combined({"relation": exists, "sign": positive}, shown="the upward unit normal of any "
-                    "graph satisfies the relation for all X, Y with beta = 1/sqrt(1 + |grad w|^2) "
-                    "> 0; the other unit normal needs beta < 0")  # fmt: skip
+    return combined(
+        {"relation": exists, "sign": positive},
+        shown="the upward unit normal of any "
+        "graph satisfies the relation for all X, Y with beta = 1/sqrt(1 + |grad w|^2) "
+        "> 0; the other unit normal needs beta < 0",
+    )
 
 
 def oriented_normal(setting: Setting, *, oriented: bool = True, sign: int = 1) -> Evidence:
@@ -86,9 +93,7 @@ def oriented_normal(setting: Setting, *, oriented: bool = True, sign: int = 1) -
     for handed, side in product((1, -1), repeat=2):
         x, y, determinant, norm = _basis(plane, handed)
         value = side * weight * determinant
-        normal = printed.oriented_normal(
-            value, x, y, norm, cross, oriented=oriented, sign=sign
-        )  # fmt: skip
+        normal = printed.oriented_normal(value, x, y, norm, cross, oriented=oriented, sign=sign)
         where = f"basis {handed:+d}, omega {side:+d}"
         beta = weight / sp.sqrt(1 + plane.slope_1**2 + plane.slope_2**2)
         p, q, components = _tangents(plane)
@@ -99,9 +104,13 @@ def oriented_normal(setting: Setting, *, oriented: bool = True, sign: int = 1) -
         residuals[f"{where}: N"] = tuple(
             found - side * expected for found, expected in zip(normal, upward, strict=True)
         )
-    return identities(setting, residuals, shown="for both orientations of the basis and of omega, "
-                      "the formula is the one unit normal with omega(P, Q) = beta (P x Q).N, beta "
-                      "> 0, for all tangent P, Q")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="for both orientations of the basis and of omega, "
+        "the formula is the one unit normal with omega(P, Q) = beta (P x Q).N, beta "
+        "> 0, for all tangent P, Q",
+    )
 
 
 def flip_insensitive(
@@ -124,14 +133,15 @@ def flip_insensitive(
             else:
                 e, f = signs[name]
                 first, other, new_value = scaled(e, x), scaled(f, y), e * f * value
-            after = printed.oriented_normal(
-                new_value, first, other, norm, cross, oriented=oriented
-            )  # fmt: skip
+            after = printed.oriented_normal(new_value, first, other, norm, cross, oriented=oriented)
             residuals[f"basis {handed:+d}, {name}"] = tuple(
                 new - old for new, old in zip(after, before, strict=True)
             )
-    return identities(setting, residuals, shown="the formula gives the same vector after u -> -u, "
-                      "after v -> -v and after both")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="the formula gives the same vector after u -> -u, after v -> -v and after both",
+    )
 
 
 def continuous(setting: Setting, *, oriented: bool = True) -> Evidence:
@@ -150,6 +160,10 @@ def continuous(setting: Setting, *, oriented: bool = True) -> Evidence:
         residuals[f"basis {handed:+d}: N"] = tuple(
             found - expected for found, expected in zip(normal, plane.upward_normal, strict=True)
         )
-    return identities(setting, residuals, shown="in every basis of the tangent plane, of either "
-                      "orientation, the formula gives the upward unit normal, which is continuous "
-                      "where the gradient of w is")  # fmt: skip
+    return identities(
+        setting,
+        residuals,
+        shown="in every basis of the tangent plane, of either "
+        "orientation, the formula gives the upward unit normal, which is continuous "
+        "where the gradient of w is",
+    )

@@ -1,6 +1,6 @@
 """Checks of section 3.1, items (E) and (F): what u -> -u, v -> -v and N -> -N preserve."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -8,7 +8,7 @@ import sympy as sp
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities
 from checks.printed import asymptotic_frames as printed
-from checks.verify.nets import combination, explicit_nets, general_nets, minus
+from checks.verify.nets import all_nets, combination, minus, over_nets
 from theory.asymptotic_net import AsymptoticNet, VectorCalculus
 from theory.reparametrisation import Change, changed, substituted
 from theory.surfaces import pseudosphere
@@ -27,22 +27,21 @@ Fields = tuple[VectorCalculus, Vector, Vector, Vector]
 Residuals = Callable[[Fields], Mapping[str, Any]]
 
 
-def _nets() -> tuple[AsymptoticNet, ...]:
-    return general_nets() + explicit_nets()[:4]
-
-
 def _fields(net: AsymptoticNet) -> Fields:
     return net.calculus, net.r_u, net.r_v, net.normal
 
 
-def _rewritten(name: str) -> Fields:
-    """Pseudosphere with the change written into r(u, v) and N(u, v), then differentiated in R^3."""
+def _sources(change: Change, normal_sign: int) -> Iterator[tuple[str, Fields]]:
+    """Fields after a change: by the chain rule on every net, and of the pseudosphere rewritten.
+
+    The last has the change written into r(u, v) and N(u, v), which are differentiated in R^3.
+    """
+    for net in all_nets():
+        yield net.name, _fields(changed(net, change, normal_sign=normal_sign))
     u, v = sp.symbols("u v", real=True)
-    change, normal_sign = _CHANGES[name]
-    calculus, position, normal = substituted(
-        pseudosphere(), change, u, v, normal_sign=normal_sign
-    )
-    return calculus, derivative(position, u), derivative(position, v), normal
+    calculus, position, normal = substituted(pseudosphere(), change, u, v, normal_sign=normal_sign)
+    tangents = derivative(position, u), derivative(position, v)
+    yield "pseudosphere in R^3", (calculus, *tangents, normal)
 
 
 def _after(setting: Setting, changes: str, residuals: Residuals, *, shown: str) -> Evidence:
@@ -50,14 +49,9 @@ def _after(setting: Setting, changes: str, residuals: Residuals, *, shown: str) 
     found: dict[str, Evidence] = {}
     for name in changes.split(","):
         change, normal_sign = _CHANGES[name]
-        sources: dict[str, Callable[[], Fields]] = {
-            net.name: lambda net=net: _fields(changed(net, change, normal_sign=normal_sign))
-            for net in _nets()
-        }
-        sources["pseudosphere in R^3"] = lambda name=name: _rewritten(name)
-        for where, fields in sources.items():
+        for where, fields in _sources(change, normal_sign):
             label = f"change {name}, {where}"
-            found[label] = identities(setting, residuals(fields()), shown=shown)
+            found[label] = identities(setting, residuals(fields), shown=shown)
             if found[label].outcome == "fail":
                 return combined(found, shown=shown)
     return combined(found, shown=shown)
@@ -124,23 +118,36 @@ def _curvatures(fields: Fields) -> tuple[Any, Any]:
 def _reversal(setting: Setting, change: str, factors: tuple[int, int]) -> Evidence:
     """Evidence that a change multiplies kappa^u and kappa^v by these factors."""
     matrix, normal_sign = _CHANGES[change]
-    residuals: dict[str, Any] = {}
-    for net in _nets():
+
+    def residuals(net: AsymptoticNet) -> dict[str, Any]:
         before = _curvatures(_fields(net))
         after = _curvatures(_fields(changed(net, matrix, normal_sign=normal_sign)))
-        for name, old, new, factor in zip(("kappa^u", "kappa^v"), before, after, factors,
-                                          strict=True):  # fmt: skip
-            residuals[f"{net.name}: {name}"] = new - factor * old
-    return identities(setting, residuals, shown=f"{change} -> -{change} multiplies kappa^u by "
-                      f"{factors[0]:+d} and kappa^v by {factors[1]:+d}")  # fmt: skip
+        return {
+            name: new - factor * old
+            for name, old, new, factor in zip(
+                ("kappa^u", "kappa^v"), before, after, factors, strict=True
+            )
+        }
+
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"{change} -> -{change} multiplies kappa^u "
+        f"by {factors[0]:+d} and kappa^v by {factors[1]:+d}",
+    )
 
 
-def flip_u(setting: Setting, *, change: str = "u", factor_u: int = -1, factor_v: int = 1) -> Evidence:
+def flip_u(
+    setting: Setting, *, change: str = "u", factor_u: int = -1, factor_v: int = 1
+) -> Evidence:
     """Item (E): u -> -u reverses kappa^u and nothing else."""
     return _reversal(setting, change, (factor_u, factor_v))
 
 
-def flip_v(setting: Setting, *, change: str = "v", factor_u: int = 1, factor_v: int = -1) -> Evidence:
+def flip_v(
+    setting: Setting, *, change: str = "v", factor_u: int = 1, factor_v: int = -1
+) -> Evidence:
     """Item (E): v -> -v reverses kappa^v and nothing else."""
     return _reversal(setting, change, (factor_u, factor_v))
 
@@ -164,6 +171,10 @@ def flipped_coordinates(setting: Setting, *, changes: str = "u,v") -> Evidence:
             "N.r_vv": calculus.dot(normal, calculus.derivative(r_v, "v")),
         }
 
-    return _after(setting, changes, residuals, shown="the flipped coordinates are asymptotic and "
-                  "of unit speed, for an unknown angle and on explicit surfaces")  # fmt: skip
-
+    return _after(
+        setting,
+        changes,
+        residuals,
+        shown="the flipped coordinates are asymptotic and "
+        "of unit speed, for an unknown angle and on explicit surfaces",
+    )

@@ -9,6 +9,7 @@ from checks.exact import combined, identities
 from checks.printed import asymptotic_frames as frames
 from checks.printed import fundamental_forms as printed
 from checks.verify.nets import (
+    ROUTES,
     all_nets,
     explicit_nets,
     general_nets,
@@ -23,34 +24,44 @@ from theory.sine_gordon import corner_difference, generic_matrix, mixed_gap, sol
 from theory.surfaces import pseudosphere
 from theory.vectors import added, scaled
 
-_ROUTES = (
-    "derived from Gauss-Weingarten for an unknown angle and either sign of sigma, and on the "
-    "pseudosphere, Dini's and Kuen's surface on both sides of their edges"
-)
-
 
 def cross_derivative_u(
-    setting: Setting, *, upper_sine: int = -1, upper_cosine: int = 1, lower_sine: int = 1,
-    lower_cosine: int = -1, sigma_power: int = 1,
-) -> Evidence:  # fmt: skip
+    setting: Setting,
+    *,
+    upper_sine: int = -1,
+    upper_cosine: int = 1,
+    lower_sine: int = 1,
+    lower_cosine: int = -1,
+    sigma_power: int = 1,
+) -> Evidence:
     """Display of item (J): the v-derivative of (r_u, N x r_u, N), row by row."""
 
     def residuals(net: AsymptoticNet) -> dict[str, Any]:
         frame = frames.frame(net.r_u, net.normal, net.calculus.cross)
         matrix = printed.cross_derivative_u(
-            net.cos_phi, net.sin_phi, net.sigma, upper_sine=upper_sine, upper_cosine=upper_cosine,
-            lower_sine=lower_sine, lower_cosine=lower_cosine, sigma_power=sigma_power,
-        )  # fmt: skip
+            net.cos_phi,
+            net.sin_phi,
+            net.sigma,
+            upper_sine=upper_sine,
+            upper_cosine=upper_cosine,
+            lower_sine=lower_sine,
+            lower_cosine=lower_cosine,
+            sigma_power=sigma_power,
+        )
         return system_defects([net.d(a, "v") for a in frame], matrix, frame)
 
-    return over_nets(setting, all_nets(), residuals, shown="the v-derivative of the frame of the "
-                     f"u-lines is as displayed, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"the v-derivative of the frame of the u-lines is as displayed, {ROUTES}",
+    )
 
 
 def cross_derivative_v(
     setting: Setting, *, upper_sine: int = -1, upper_cosine: int = -1, sigma_power: int = 1
 ) -> Evidence:
-    """The system that corresponds to the display of item (J): u-derivative of (r_v, N x r_v, N).
+    """Analogue of the display of item (J): the u-derivative of (r_v, N x r_v, N).
 
     Both cosines have the other sign than in the display; the rest is the same.
     """
@@ -58,13 +69,23 @@ def cross_derivative_v(
     def residuals(net: AsymptoticNet) -> dict[str, Any]:
         frame = frames.frame(net.r_v, net.normal, net.calculus.cross)
         matrix = printed.cross_derivative_u(
-            net.cos_phi, net.sin_phi, net.sigma, upper_sine=upper_sine, upper_cosine=upper_cosine,
-            lower_sine=-upper_sine, lower_cosine=-upper_cosine, sigma_power=sigma_power,
-        )  # fmt: skip
+            net.cos_phi,
+            net.sin_phi,
+            net.sigma,
+            upper_sine=upper_sine,
+            upper_cosine=upper_cosine,
+            lower_sine=-upper_sine,
+            lower_cosine=-upper_cosine,
+            sigma_power=sigma_power,
+        )
         return system_defects([net.d(a, "u") for a in frame], matrix, frame)
 
-    return over_nets(setting, all_nets(), residuals, shown="the u-derivative of the frame of the "
-                     f"v-lines has the opposite cosines, {_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown=f"the u-derivative of the frame of the v-lines has the opposite cosines, {ROUTES}",
+    )
 
 
 def zero_curvature(setting: Setting, *, derivative: int = -1, commutator: int = 1) -> Evidence:
@@ -79,8 +100,11 @@ def zero_curvature(setting: Setting, *, derivative: int = -1, commutator: int = 
         a, b, a.diff(v), b.diff(u), derivative=derivative, commutator=commutator
     )
     gap = mixed_gap(a, b, frame, u, v) - stated * frame
-    return identities(setting, {"gap - Z F": gap.applyfunc(sp.expand)}, shown="the gap of the mixed "
-                      "derivatives of F is (A_v - B_u + [A, B]) F for any A, B, F")  # fmt: skip
+    return identities(
+        setting,
+        {"gap - Z F": gap.applyfunc(sp.expand)},
+        shown="the gap of the mixed derivatives of F is (A_v - B_u + [A, B]) F for any A, B, F",
+    )
 
 
 def _compatibility(net: AsymptoticNet, along: str) -> tuple[sp.Matrix, sp.Expr]:
@@ -129,10 +153,15 @@ def curvatures(setting: Setting, *, sign_u: int = -1, sign_v: int = 1) -> Eviden
             found |= _curvature_conditions(net, "v", stated_v)
         return found
 
-    return over_nets(setting, all_nets(), residuals, shown="the zero-curvature conditions of the "
-                     "two frames force kappa^u = -phi_u and kappa^v = phi_v, and conversely these "
-                     "leave one entry of each; they are the geodesic curvatures, "
-                     f"{_ROUTES}")  # fmt: skip
+    return over_nets(
+        setting,
+        all_nets(),
+        residuals,
+        shown="the zero-curvature conditions of the "
+        "two frames force kappa^u = -phi_u and kappa^v = phi_v, and conversely these "
+        "leave one entry of each; they are the geodesic curvatures, "
+        f"{ROUTES}",
+    )
 
 
 def sine_gordon(
@@ -166,16 +195,26 @@ def sine_gordon(
         found["K + 1"] = (brioschi(metric, rate) + 1) * net.sin_phi + net.sigma * gap
         return found
 
-    return over_nets(setting, general_nets(), residuals, shown="the remaining condition of each "
-                     "frame, the gap r_uuv - r_uvu and the Gauss curvature of the metric plus 1 "
-                     "are multiples of phi_uv - sigma sin phi, so each vanishes exactly with "
-                     "it")  # fmt: skip
+    return over_nets(
+        setting,
+        general_nets(),
+        residuals,
+        shown="the remaining condition of each "
+        "frame, the gap r_uuv - r_uvu and the Gauss curvature of the metric plus 1 "
+        "are multiples of phi_uv - sigma sin phi, so each vanishes exactly with "
+        "it",
+    )
 
 
 def sine_gordon_on_surfaces(
-    setting: Setting, *, sign_u: int = -1, sign_v: int = 1, sign: int = 1, sigma_power: int = 1,
+    setting: Setting,
+    *,
+    sign_u: int = -1,
+    sign_v: int = 1,
+    sign: int = 1,
+    sigma_power: int = 1,
     swapped: bool = False,
-) -> Evidence:  # fmt: skip
+) -> Evidence:
     """(eq:sg), second line, each equality on explicit surfaces, and K = -1 from their metrics."""
 
     def residuals(net: AsymptoticNet) -> dict[str, Any]:
@@ -192,9 +231,14 @@ def sine_gordon_on_surfaces(
             "K + 1": net.calculus.reduced(brioschi(metric, rate)) + 1,
         }
 
-    return over_nets(setting, explicit_nets(), residuals, shown="-kappa^u_v = kappa^v_u = phi_uv = "
-                     "sigma sin phi and K = -1 on the pseudosphere, Dini's and Kuen's surface on "
-                     "both sides of their edges")  # fmt: skip
+    return over_nets(
+        setting,
+        explicit_nets(),
+        residuals,
+        shown="-kappa^u_v = kappa^v_u = phi_uv = "
+        "sigma sin phi and K = -1 on the pseudosphere and Dini's surface (both sides of "
+        "their edges) and Kuen's",
+    )
 
 
 def constant_sigma(setting: Setting, *, first: int = 1) -> Evidence:
@@ -226,6 +270,9 @@ def constant_sigma(setting: Setting, *, first: int = 1) -> Evidence:
         integral = corner_difference(lambda _: primitive, rectangle, chi)
         defects[f"u0, u1, v0, v1 = {rectangle}"] = corners - integral
     parts["rectangles"] = identities(setting, defects, shown="")
-    return combined(parts, shown="the corner difference of phi equals the integral of sigma sin phi "
-                    "on rectangles on which sigma is constant, on either side of the edge of the "
-                    "pseudosphere")  # fmt: skip
+    return combined(
+        parts,
+        shown="the corner difference of phi equals the integral of sigma sin phi "
+        "on rectangles on which sigma is constant, on either side of the edge of the "
+        "pseudosphere",
+    )

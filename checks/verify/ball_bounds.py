@@ -1,0 +1,56 @@
+"""Evidence from inequalities between balls, and the functions that balls share with other fields."""
+
+from collections.abc import Iterable
+from typing import Any
+
+from flint import arb, ctx
+
+from checks.evidence import Evidence
+
+#: Place in words, quantity, bound: the claim is quantity <= bound.
+Row = tuple[str, Any, Any]
+
+
+class Balls:
+    """Functions of balls by the names that sympy and mpmath give them."""
+
+    exp = staticmethod(arb.exp)
+    log = staticmethod(arb.log)
+    sqrt = staticmethod(arb.sqrt)
+    sin = staticmethod(arb.sin)
+    cos = staticmethod(arb.cos)
+
+    @property
+    def pi(self) -> Any:
+        """Ball of pi at the precision in force."""
+        return arb.pi()
+
+
+BALLS = Balls()
+
+
+def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
+    """Evidence that each quantity is at most its bound: certified, or refuted at the first place.
+
+    rows are made at the precision of bits. Undecided where a comparison is; no rows are undecided.
+    """
+    tried, met, open_places = 0, 0, []
+    with ctx.workprec(bits):
+        for place, quantity, bound in rows:
+            tried += 1
+            if quantity <= bound:
+                met += 1
+            elif quantity > bound:
+                witness = f"{place}: {_text(quantity)} > {_text(bound)}"
+                return Evidence(outcome="fail", grade="certified", witness=witness, tried=tried,
+                                met=tried, shown=shown)  # fmt: skip
+            else:
+                open_places.append(place)
+    if open_places or not tried:
+        return Evidence(outcome="undecided", grade="certified", tried=tried, met=met,
+                        shown=f"not decided: {', '.join(open_places[:5]) or 'no sample'}")  # fmt: skip
+    return Evidence(outcome="pass", grade="certified", tried=tried, met=met, shown=shown)
+
+
+def _text(ball: Any) -> str:
+    return str(ball.str(8, radius=False))
