@@ -19,7 +19,7 @@ from theory import periodic_amsler_reference as amsler
 from theory.errors import DomainError, InsufficientPrecisionError, SingularEdgeError
 
 
-@given(x=st.fractions(0, 50, max_denominator=1000), digits=st.integers(1, 60))
+@given(x=st.fractions(Fraction(1, 1000), 50, max_denominator=1000), digits=st.integers(1, 60))
 def test_the_inverse_of_i0_undoes_it(x: Fraction, digits: int):
     back = bessel.inverse_i0(
         lambda: mp.besseli(0, mp.mpf(x.numerator) / x.denominator), digits=digits
@@ -45,6 +45,8 @@ def test_the_inverse_next_to_1_and_far_away():
         assert abs(x**2 / 4 + x**4 / 64 - mp.mpf(10) ** -40) < mp.mpf(10) ** -78
         x = bessel.inverse_i0(10**300, digits=40)
         assert abs(mp.besseli(0, x) / mp.mpf(10) ** 300 - 1) < mp.mpf(10) ** -36
+        x = bessel.inverse_i0(1 + Fraction(1, 10**200))
+        assert abs(x**2 / 4 * mp.mpf(10) ** 200 - 1) < mp.mpf(10) ** -28
     assert bessel.inverse_i0(1) == 0
 
 
@@ -70,8 +72,8 @@ def _bobbin_float(kappa: float, end: float) -> tuple[float, float]:
 def test_elliptic_functions_solve_the_equation_of_the_bobbin(kappa: Fraction, xi: Fraction):
     s, z = _bobbin_float(float(kappa), float(xi))
     assert abs(bobbin.arc_length(kappa, xi) - s) < 1e-10
-    assert abs(bobbin.profile_radius(kappa, xi) - cosh(s) / float(kappa)) < 1e-10
-    assert abs(bobbin.profile_height(kappa, xi) - z) < 1e-10
+    assert abs(bobbin.radius(kappa, xi) - cosh(s) / float(kappa)) < 1e-10
+    assert abs(bobbin.height(kappa, xi) - z) < 1e-10
 
 
 def test_the_bobbin_turns_at_a_quarter_of_its_period():
@@ -79,12 +81,20 @@ def test_the_bobbin_turns_at_a_quarter_of_its_period():
         return bobbin.period(3, digits=40) / 4
 
     with mp.workdps(40):
+        assert abs(bobbin.turning_point(3) - quarter()) < mp.mpf(10) ** -28
         turned = bobbin.arc_length(3, quarter, digits=30)
         assert abs(turned - bobbin.half_length(3)) < mp.mpf(10) ** -29
-        once = bobbin.profile_height(3, lambda: 4 * quarter(), digits=30)
-        assert abs(once - 4 * bobbin.profile_height(3, quarter)) < mp.mpf(10) ** -28
+        once = bobbin.height(3, lambda: 4 * quarter(), digits=30)
+        assert abs(once - 4 * bobbin.height(3, quarter)) < mp.mpf(10) ** -28
     assert abs(bobbin.half_length(3) - asinh(3)) < 1e-14
-    assert bobbin.arc_length(3, 0) == bobbin.profile_height(3, 0) == 0
+    assert bobbin.arc_length(3, 0) == bobbin.height(3, 0) == 0
+
+
+def test_a_bobbin_with_a_flat_throat_climbs_like_a_pendulum():
+    """For small kappa z = kappa (xi/2 + sin(2 xi)/4) up to the relative size kappa^2."""
+    with mp.workdps(40):
+        found = bobbin.height(Fraction(1, 10**60), 10**6) * mp.mpf(10) ** 60
+        assert abs(found - (mp.mpf(10) ** 6 / 2 + mp.sin(2 * 10**6) / 4)) < mp.mpf(10) ** -23
 
 
 @given(radius=st.fractions(Fraction(1, 1000), 400, max_denominator=1000))
@@ -92,7 +102,17 @@ def test_the_best_bobbin_has_the_curvature_cosh_of_the_radius(radius: Fraction):
     """Both curvatures are equal where kappa^2 = cosh^2 R, which the search does not know."""
     with mp.workdps(40):
         wanted = mp.cosh(mp.mpf(radius.numerator) / radius.denominator)
-        assert abs(bobbin.max_curvature(radius, digits=35) / wanted - 1) < mp.mpf(10) ** -34
+        assert abs(bobbin.least_max_curvature(radius, digits=35) / wanted - 1) < mp.mpf(10) ** -34
+
+
+@pytest.mark.parametrize(("kappa", "radius"), [(2, 1), (2, 1.4), (5, 0.1), (1.1, 0.9)])
+def test_the_largest_curvature_on_a_disk_is_the_largest_at_any_height(kappa, radius):
+    """Curvatures a = sqrt((kappa^2 + 1)/cosh^2 s - 1) and 1/a at 2001 heights |s| <= R."""
+    heights = np.linspace(-radius, radius, 2001)
+    about = np.sqrt((kappa**2 + 1) / np.cosh(heights) ** 2 - 1)
+    wanted = max(about.max(), (1 / about).max())
+    found = bobbin.disk_max_curvature(Fraction(kappa), Fraction(radius))
+    assert abs(found / wanted - 1) < 1e-12
 
 
 def _rim_angle_float(radius: float, phi0: float) -> float:
@@ -151,12 +171,12 @@ def test_the_angle_on_the_rim_is_largest_on_the_mirror_line():
     assert abs(angles[2] - angles[4]) < 1e-7
 
 
-@settings(max_examples=12)
-@given(radius=st.fractions(Fraction(1, 10), 5, max_denominator=50))
+@settings(max_examples=8)
+@given(radius=st.fractions(Fraction(1, 10), 4, max_denominator=50))
 def test_no_number_of_sectors_is_better_than_the_best(radius: Fraction):
     best = amsler.best_sectors(radius)
     least = amsler.max_curvature(radius, digits=15)
-    for other in {best - 4, best - 2, best + 2, best + 4, 2 * best} - {0, 2, -2}:
+    for other in {best - 2, best + 2, best + 4} - {2}:
         try:
             assert amsler.max_curvature(radius, other, digits=15) >= least
         except SingularEdgeError:
@@ -170,8 +190,9 @@ REFUSED = [
     (lambda: bessel.fixed_point(digits=10**4), InsufficientPrecisionError, "at most 2000"),
     (lambda: bobbin.arc_length(0, 1), DomainError, "kappa must be positive"),
     (lambda: bobbin.period(-1), DomainError, "kappa must be positive"),
-    (lambda: bobbin.max_curvature(0), DomainError, "radius must lie in"),
-    (lambda: bobbin.max_curvature(10**7), DomainError, "radius must lie in"),
+    (lambda: bobbin.least_max_curvature(0), DomainError, "radius must lie in"),
+    (lambda: bobbin.least_max_curvature(10**7), DomainError, "radius must lie in"),
+    (lambda: bobbin.disk_max_curvature(1, 1), DomainError, "singular edge"),
     (lambda: amsler.max_curvature(0, 6), DomainError, "radius must lie in"),
     (lambda: amsler.max_curvature(1, 5), DomainError, "even integer"),
     (lambda: amsler.max_curvature(1, 2), DomainError, "even integer"),

@@ -18,13 +18,14 @@ from theory.enclosure import Enclosure
 from theory.errors import InsufficientPrecisionError
 
 EXAMPLES = {
+    "sectors": "8",
     "phi0": "pi/7",
     "z": "2.5",
     "level": "3*pi/4",
     "x": "sqrt(2)",
     "y": "17/4",
     "radius": "3/2",
-    "kappa": "2",
+    "kappa": "3",
     "xi": "1/3",
 }
 
@@ -54,7 +55,8 @@ def test_both_routes_of_every_value_agree_to_the_last_digit(asked, name: str):
     assert code == 0
     assert certified[1].startswith("certified: within ")
     assert certified[0] == reference[0]
-    assert len(Decimal(certified[0]).as_tuple().digits) == 25
+    if not values()[name].integer:
+        assert len(Decimal(certified[0]).as_tuple().digits) == 25
 
 
 @pytest.mark.parametrize("name", values())
@@ -169,7 +171,9 @@ def test_the_largest_number_of_digits(asked):
     code, lines, _ = asked("bobbin.max_curvature", "radius=1", "--digits", "10000", "--certified")
     assert code == 0
     with mp.workdps(10010):
-        assert abs(mp.mpf(lines[0]) / mp.cosh(1) - 1) < mp.mpf(10) ** -9999
+        # Fractions, as int(text) refuses more than 4300 digits.
+        top, bottom = Decimal(lines[0]).as_integer_ratio()
+        assert abs(mp.mpf(top) / bottom - mp.cosh(1)) <= mp.mpf(10) ** -9999 / 2
 
 
 def test_the_best_number_of_sectors_is_taken_where_it_is_left_out(asked):

@@ -108,7 +108,7 @@ def general_net(sigma: int) -> AsymptoticNet:
     f = -area. Whether derivatives commute is a condition on phi.
     """
     u, v = sp.symbols("u v", real=True)
-    phi = sp.Function("phi", real=True)(u, v)
+    phi = sp.Function("phi", positive=True)(u, v)
     area = sigma * sp.sin(phi)
     zero, one = sp.Integer(0), sp.Integer(1)
     fields = GaussWeingarten(

@@ -23,7 +23,7 @@ def kernel(z: sp.Expr, t: sp.Expr) -> sp.Expr:
 
 
 def kernel_flux(z: sp.Expr, t: sp.Expr) -> sp.Expr:
-    """Function of t whose t-derivative is the equation applied to the kernel; 0 at 0 and pi."""
+    """Expression whose t-derivative is the equation applied to the kernel; 0 at 0 and pi."""
     return sp.sin(t) * kernel(z, t) / z
 
 

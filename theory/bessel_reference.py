@@ -9,7 +9,7 @@ from typing import Any
 from mpmath import mp
 
 from theory.errors import DomainError
-from theory.reference_precision import Magnified, Real, mpf_of, settled
+from theory.reference_precision import Magnified, Real, close, mpf_of, same, settled
 
 LARGEST_ARGUMENT = 10**4
 
@@ -56,10 +56,12 @@ def inverse_i0(y: Real, *, digits: int = 30) -> Any:
 
     def compute() -> tuple[Any, Any]:
         value = mpf_of(y)
+        if same(y, 1):
+            return mp.zero, mp.one
+        if close(value, mp.one):
+            raise Magnified
         if value < 1:
             raise DomainError(f"I_0 takes values of 1 or more, not {mp.nstr(value, 15)}")
-        if value == 1:
-            return mp.zero, mp.one
         log = mp.log(value)
         start = 2 * mp.sqrt(value - 1) if value < 3 else log + mp.log(2 * mp.pi * (log + 1)) / 2
         x = _newton(

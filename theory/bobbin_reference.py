@@ -12,7 +12,7 @@ from typing import Any
 from mpmath import mp
 
 from theory.errors import DomainError
-from theory.reference_precision import Magnified, Real, mpf_of, settled
+from theory.reference_precision import Magnified, Real, close, mpf_of, settled
 
 LARGEST_RADIUS = 1000
 
@@ -22,9 +22,8 @@ def arc_length(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
 
     Raises DomainError, InsufficientPrecisionError.
 
-    >>> k = period(1) / 4
-    >>> print(mp.nstr(arc_length(1, k), 12), mp.nstr(mp.asinh(1), 12))
-    0.88137358702 0.88137358702
+    >>> print(mp.nstr(arc_length(1, 1), 10))
+    0.6442819579
     """
 
     def at(a: Any, x: Any) -> tuple[Any, Any]:
@@ -36,10 +35,10 @@ def arc_length(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
     return settled(lambda: at(_throat(kappa), mpf_of(xi)), digits=digits)
 
 
-def profile_radius(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
+def radius(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
     """Distance rho = cosh(s(xi))/kappa from the axis. Raises DomainError.
 
-    >>> print(mp.nstr(profile_radius(2, 0), 12))
+    >>> print(mp.nstr(radius(2, 0), 12))
     0.5
     """
 
@@ -49,12 +48,12 @@ def profile_radius(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
     return settled(lambda: at(_throat(kappa), mpf_of(xi)), digits=digits)
 
 
-def profile_height(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
+def height(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
     """Height z(xi) along the axis, from z' = (kappa^2 - sinh^2 s)/(kappa sqrt(kappa^2 + 1)) >= 0.
 
     That is k cd^2(xi | m), whose integral is (xi - E(xi) + m sn cd)/k (eq:zprime).
 
-    >>> print(mp.nstr(profile_height(2, 0), 12))
+    >>> print(mp.nstr(height(2, 0), 12))
     0.0
     """
 
@@ -68,7 +67,8 @@ def profile_height(kappa: Real, xi: Real, *, digits: int = 30) -> Any:
         amplitude = mp.atan2(sn, cn)
         arc = mp.ellipe(amplitude, m) + 2 * turns * mp.ellipe(m)
         found = (x - arc + m * sn * cn / dn) / mp.sqrt(m)
-        return found, _lost(a, x, found)
+        # For a small m the difference is as small as m.
+        return found, _lost(a, x, found) / mp.sqrt(m)
 
     return settled(lambda: at(_throat(kappa), mpf_of(xi)), digits=digits)
 
@@ -91,20 +91,51 @@ def half_length(kappa: Real, *, digits: int = 30) -> Any:
     return settled(lambda: (mp.asinh(_throat(kappa)), mp.one), digits=digits)
 
 
-def max_curvature(radius: Real, *, digits: int = 30) -> Any:
+def turning_point(kappa: Real, *, digits: int = 30) -> Any:
+    """Least xi > 0 where s turns, the quarter period K(m) (eq:econs).
+
+    >>> print(mp.nstr(arc_length(1, turning_point(1)), 12), mp.nstr(half_length(1), 12))
+    0.88137358702 0.88137358702
+    """
+    return settled(lambda: (_quarter(_throat(kappa)), 1 + _throat(kappa) ** 2), digits=digits)
+
+
+def disk_max_curvature(kappa: Real, disk_radius: Real, *, digits: int = 30) -> Any:
+    """Largest principal curvature on the disk of this geodesic radius about a point of the throat.
+
+    By rho = cosh(s)/kappa and z_s^2 = 1 - rho_s^2 the curvatures are z_s/rho about the axis, which
+    is largest at the throat, and rho_ss/z_s along the meridian, largest at the rim (eq:c2energy).
+    Raises DomainError where the disk meets the singular edge.
+
+    >>> print(mp.nstr(disk_max_curvature(2, 1), 12))
+    2.0
+    """
+
+    def compute() -> tuple[Any, Any]:
+        a, r = _throat(kappa), _radius(disk_radius)
+        room = a**2 - mp.sinh(r) ** 2
+        if close(a, mp.sinh(r)):
+            raise Magnified
+        if room <= 0:
+            raise DomainError("the disk meets the singular edge")
+        rim = mp.cosh(r) / mp.sqrt(room)
+        return max(a, rim), (1 + r) * (1 + a**2 / room)
+
+    return settled(compute, digits=digits)
+
+
+def least_max_curvature(disk_radius: Real, *, digits: int = 30) -> Any:
     """Least of the largest curvatures on a disk of this radius about the throat (eq:c2energy).
 
     The curvature kappa of the throat balances that of the meridian at the rim,
     cosh(R)/sqrt(kappa^2 - sinh^2 R): solved here as it stands. Raises DomainError.
 
-    >>> print(mp.nstr(max_curvature(1), 12), mp.nstr(mp.cosh(1), 12))
+    >>> print(mp.nstr(least_max_curvature(1), 12), mp.nstr(mp.cosh(1), 12))
     1.54308063482 1.54308063482
     """
 
     def compute() -> tuple[Any, Any]:
-        r = mpf_of(radius)
-        if not 0 < r <= LARGEST_RADIUS:
-            raise DomainError(f"radius must lie in (0, {LARGEST_RADIUS}], not {mp.nstr(r, 15)}")
+        r = _radius(disk_radius)
         # c = kappa/cosh R solves c^4 = c^2 tanh^2 R + sech^2 R; from the right Newton is monotone.
         square = mp.tanh(r) ** 2
         c = _zero(
@@ -121,6 +152,13 @@ def _throat(kappa: Real) -> Any:
     found = mpf_of(kappa)
     if not found > 0:
         raise DomainError(f"kappa must be positive, not {mp.nstr(found, 15)}")
+    return found
+
+
+def _radius(disk_radius: Real) -> Any:
+    found = mpf_of(disk_radius)
+    if not 0 < found <= LARGEST_RADIUS:
+        raise DomainError(f"radius must lie in (0, {LARGEST_RADIUS}], not {mp.nstr(found, 15)}")
     return found
 
 

@@ -33,16 +33,12 @@ def symmetric(bound: Any) -> Any:
 class BoundedSeries:
     """Function sum a_k t^k on |t| < radius: terms[k] = a_k radius^k, and bound >= the others'.
 
-    terms: non-empty tuple of balls; radius: exact ball; bound: exact ball, as in Cauchy's estimate.
+    radius, bound: exact balls; at least the first term is there if bound is one of |f - f(0)|.
     """
 
     terms: tuple[Any, ...]
     radius: Any
     bound: Any
-
-    def __post_init__(self) -> None:
-        if not self.terms:
-            raise ValueError("a series needs at least its first term")
 
     def __call__(self, t: Any) -> Any:
         """Ball around the value at the ball t."""

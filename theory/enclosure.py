@@ -39,6 +39,11 @@ class Enclosure:
         middle, radius = (_dyadic(part) for part in (ball.mid(), ball.rad()))
         return cls(midpoint=middle, radius=radius)
 
+    @classmethod
+    def if_finite(cls, ball: Any) -> Enclosure | None:
+        """Enclosure of the ball, or None where it is not finite."""
+        return cls.of(ball) if ball.is_finite() else None
+
     def ball(self) -> Any:
         """Ball of flint with this midpoint and radius, whatever the precision in force."""
         return arb(self.midpoint, self.radius)
@@ -57,7 +62,7 @@ class Enclosure:
         """Whether radius <= 10^-digits |x| for every number x of the enclosure."""
         low, high = self.ends()
         least = max(low, -high, Fraction(0))
-        return _fraction(self.radius) * 10**digits <= least
+        return bool(_fraction(self.radius) * 10**digits <= least)
 
     def decimal(self, digits: int) -> str | None:
         """Decimal of the enclosed number rounded to nearest, digits significant digits, or None.

@@ -37,7 +37,7 @@ def root(function: Function, slope: Function, low: Any, high: Any) -> Any:
         if image is not None and bracket.contains_interior(image):
             return image
         spread *= 16
-    raise UndecidedError("interval Newton does not contract", Enclosure.of(bracket))
+    raise UndecidedError("interval Newton does not contract", Enclosure.if_finite(bracket))
 
 
 def newton_image(value: Any, slope: Function, middle: Any, bracket: Any) -> Any | None:

@@ -1,8 +1,10 @@
 """A-priori enclosures of complex solutions on a disk, by a real majorant along its rays.
 
-Let u, v >= 0 obey u' <= v g(s) ... see `grown`. For phi on the ray at distance s from the centre,
-|sin(phi_0 + w)| <= S(|w|), S(u) = |sin phi_0| cosh u + |cos phi_0| sinh u, which grows with u and
-is convex: the equations for u >= |w| and for its derivative are monotone and convex.
+|sin(phi_0 + w)| <= S(|w|) with S(u) = |sin phi_0| cosh u + |cos phi_0| sinh u, which grows with u
+and is convex. So on every ray from the centre the deviation |phi - phi_0| and its rate are at most
+the solution (u, v) of a real system that is monotone and convex, and `grown` steps an upper bound
+of that from one distance to the next. Without such a bound the coefficients of a Taylor series say
+nothing about its remainder.
 """
 
 from __future__ import annotations
@@ -16,8 +18,8 @@ from flint import arb
 from theory.errors import UndecidedError
 
 MAJORANT_BITS = 64
-#: Distance of the deviation |phi - phi_0| at which a disk is large enough: its edge is then within
-#: about exp(-u/2) of where the majorant blows up.
+#: Bound u on |phi - phi_0| at which a disk is large enough: its edge is then within about
+#: exp(-u/2) of where the majorant blows up.
 FAR_ENOUGH = 6
 REFINEMENTS = 3
 

@@ -19,7 +19,7 @@ from flint import arb
 
 from theory.enclosure import Enclosure
 from theory.errors import DomainError, PastFirstCrossingError, UndecidedError
-from theory.initial_angle import ends, inside, is_interval, over
+from theory.initial_angle import ends, inside, interval_inside, is_interval, over
 from theory.painleve_passage import angle_passage
 from theory.painleve_path import piece_at
 from theory.painleve_piece import Piece
@@ -29,6 +29,7 @@ LARGEST_Z = 1000
 #: Bits that the balls lose per unit of z, in which the solution may spread like exp(z).
 LOSS = 1.46
 GUARD = 40
+PI_BITS = 4096
 
 
 def angle(phi0: Real, z: Real, *, digits: int = 15, limit: int | None = None) -> Enclosure:
@@ -37,7 +38,7 @@ def angle(phi0: Real, z: Real, *, digits: int = 15, limit: int | None = None) ->
     An interval phi0 is taken up to its first crossing of pi; beyond, PastFirstCrossingError.
 
     >>> angle(lambda: arb.pi() / 100, 5, digits=20).decimal(20)
-    ''
+    '0.84008936913347406896'
     """
 
     def value(initial: Real) -> Enclosure:
@@ -57,7 +58,7 @@ def slope(phi0: Real, z: Real, *, digits: int = 15, limit: int | None = None) ->
     For an interval phi0 = m +- r: within r I_1(z) of the slope for m, which is given to digits.
 
     >>> slope(lambda: arb.pi() / 100, 5, digits=20).decimal(20)
-    ''
+    '0.72439921513013051000'
     """
 
     def value(initial: Real) -> Enclosure:
@@ -69,9 +70,10 @@ def slope(phi0: Real, z: Real, *, digits: int = 15, limit: int | None = None) ->
 
     if not is_interval(phi0):
         return value(phi0)
+    interval_inside(phi0)
     middle = value(phi0.mid()).ball()
     with working(middle.bits() + GUARD):
-        spread = abs(phi0).rad() * ball_of(z).bessel_i(1)
+        spread = phi0.rad() * ball_of(z).bessel_i(1)
         return Enclosure.of(middle + arb(0, spread.upper()))
 
 
@@ -83,7 +85,7 @@ def diagonal(phi0: Real, z: Real, *, digits: int = 15, limit: int | None = None)
     interval phi0 is taken up to its first crossing of pi; beyond, PastFirstCrossingError.
 
     >>> diagonal(lambda: arb.pi() / 100, 5, digits=20).decimal(20)
-    ''
+    '4.9489110217608716693'
     """
 
     def value(initial: Real) -> Enclosure:
@@ -101,29 +103,31 @@ def crossing(phi0: Real, level: Real, *, digits: int = 15, limit: int | None = N
     """First z with phi(z) = level, for levels from phi0 to the first maximum of phi (PIII).
 
     The root is unique on a bracket from 0 on which phi' > 0 is certain. Levels above the maximum
-    raise PastFirstMaximumError; for an interval phi0 the level must not exceed pi.
+    raise PastFirstMaximumError. For an interval phi0 the level must not exceed pi, and one that
+    4096 bits do not tell from pi is taken for pi.
 
     >>> crossing(lambda: arb.pi() / 100, arb.pi, digits=30).decimal(30)
-    ''
+    '6.75417466722776265995483821875'
     """
 
     def value(initial: Real) -> Enclosure:
         def compute() -> Any:
             start, target = inside(initial), ball_of(level)
-            if initial is level or (start == target and start.is_exact()):
+            if initial is level or _same_number(initial, level):
                 return arb(0)
             if target < start:
-                raise DomainError("level below phi0", Enclosure.of(target))
+                raise DomainError("level below phi0", Enclosure.if_finite(target))
             if not target > start:
-                raise UndecidedError("level too near phi0", Enclosure.of(target))
+                raise UndecidedError("level too near phi0", Enclosure.if_finite(target))
             return angle_passage(start, target).z
 
         return _certified(compute, initial, level, digits, limit, spread=8 - log(_size(initial)))
 
     if is_interval(phi0):
-        with working(GUARD):
-            if not ball_of(level) <= arb.pi() and level is not arb.pi:
-                raise DomainError("the level for an interval of phi0 must not exceed pi")
+        interval_inside(phi0)
+        with working(PI_BITS):
+            if ball_of(level) > arb.pi():
+                raise DomainError("for an interval phi0 the level must not exceed pi")
     return over(phi0, value)
 
 
@@ -131,11 +135,11 @@ def _at(initial: Real, z: Real, *, with_length: bool = False) -> tuple[Piece | N
     """Piece with the solution at z and the ball of z; no piece for z = 0."""
     start, place = inside(initial), ball_of(z)
     if place < 0 or place > LARGEST_Z:
-        raise DomainError(f"z must lie between 0 and {LARGEST_Z}", Enclosure.of(place))
+        raise DomainError(f"z must lie between 0 and {LARGEST_Z}", Enclosure.if_finite(place))
     if place == 0:
         return None, place
     if not place > 0:
-        raise UndecidedError("z too near 0", Enclosure.of(place))
+        raise UndecidedError("z too near 0", Enclosure.if_finite(place))
     return piece_at(start, place, with_length=with_length), place
 
 
@@ -153,9 +157,15 @@ def _size(value: Real) -> float:
         return min(max(float(abs(ball_of(value)).mid()), 1e-300), LARGEST_Z)
 
 
+def _same_number(first: Real, second: Real) -> bool:
+    """Whether two reals are exact numbers and equal."""
+    return not (callable(first) or callable(second)) and bool(first == second)
+
+
 def _check_family(phi0: Real, z: Real) -> None:
     """Refuse an interval of initial angles whose largest has crossed pi before z."""
     if is_interval(phi0):
+        interval_inside(phi0)
         first = crossing(ends(phi0)[1], arb.pi)
         with working(2 * GUARD):
             if not ball_of(z) <= first.ball():

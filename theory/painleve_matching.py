@@ -17,7 +17,7 @@ EPSILON = sp.Symbol("epsilon", positive=True)
 
 
 def rate(expr: sp.Expr) -> sp.Expr:
-    """Derivative by t of an expression in x = e^t and t."""
+    """Differentiate by t an expression in x = e^t and t."""
     return X * sp.diff(expr, X) + sp.diff(expr, T)
 
 
@@ -69,7 +69,7 @@ def bessel_tail() -> sp.Expr:
 
 
 def scale_at_crossing() -> sp.Expr:
-    """Number phi0 e^z*/sqrt(2 pi z*) = 4 + epsilon/2 + O(epsilon^2), by matching the two tails."""
+    """Scale phi0 e^z*/sqrt(2 pi z*) = 4 + epsilon/2 + O(epsilon^2), by matching the two tails."""
     ratio = sp.series(tail() / bessel_tail(), EPSILON, 0, 2).removeO()
     return sp.expand(sp.simplify(ratio))
 

@@ -1,7 +1,7 @@
 """First passages of the solution of PIII: of its angle through a level, of its length through one.
 
-phi rises from z = 0 to its first maximum, beyond pi: z phi' = integral of xi sin phi(xi) is positive
-as long as phi <= pi. That it rises on a stretch is nevertheless certified by balls, cell by cell.
+phi rises from z = 0 to its first maximum, beyond pi, as z phi' = integral of xi sin phi(xi) is
+positive while phi <= pi. That it rises on a stretch is nevertheless certified by balls.
 """
 
 from __future__ import annotations
@@ -61,10 +61,12 @@ def risen(piece: Piece) -> tuple[Any, Any | None]:
         t, width = arb(0), end / CELLS
         while t < end:
             if width < end * FINEST_CELL:
-                raise UndecidedError("no certain sign of the slope", Enclosure.of(outline.rate(t)))
+                raise UndecidedError(
+                    "no certain sign of the slope", Enclosure.if_finite(outline.rate(t))
+                )
             far = (t + width).min(end).mid()
             cell, rate = t.union(far), outline.rate(far)
-            falling = bool(t > 0 and outline.second(cell) < 0)
+            falling = bool((t > 0 or not piece.at_origin) and outline.second(cell) < 0)
             if falling and rate < 0:
                 return t, far
             if outline.rate(cell) > 0 or (falling and rate > 0):
@@ -74,62 +76,82 @@ def risen(piece: Piece) -> tuple[Any, Any | None]:
         return end, None
 
 
+def rise(piece: Piece) -> tuple[Any, Any | None]:
+    """End t of the stretch from 0 where phi rises, and the ball of its maximum if it turns then.
+
+    Where phi turns, t is just below the place of the maximum.
+    """
+    end, beyond = risen(piece)
+    if beyond is None:
+        return end, None
+    turn = root(lambda t: -piece.rate(t), lambda t: -piece.second(t), end, beyond)
+    if not (turn >= end and turn <= beyond):
+        raise UndecidedError("the maximum meets the end of a cell", Enclosure.if_finite(turn))
+    return turn.lower(), piece.angle(turn)
+
+
 def angle_passage(phi0: Any, level: Any) -> Place:
     """First place with phi = level, for level > phi0 up to the first maximum of phi.
 
-    The only root of phi = level on [0, t], where phi' > 0. Raises PastFirstMaximumError if the
-    level is certainly above the maximum.
+    It is the only one on [0, t], where phi' > 0. Raises PastFirstMaximumError if the level is
+    certainly above the maximum.
     """
     for piece in pieces(phi0):
-        found = _angle_passage(piece, level)
-        if found is not None:
-            return found
+        end, highest = rise(piece)
+        if piece.angle(end) > level:
+            return _of_angle(piece, level, end)
+        if highest is not None and level > highest:
+            raise PastFirstMaximumError(
+                "level above the first maximum", Enclosure.if_finite(highest)
+            )
+        if highest is not None or not piece.angle(end) < level:
+            raise UndecidedError("a level meets the end of a piece or the first maximum")
     raise UndecidedError("no piece reaches the level")
-
-
-def _angle_passage(piece: Piece, level: Any) -> Place | None:
-    """Passage in the piece; None if phi certainly stays below the level."""
-    end, beyond = risen(piece)
-    if piece.angle(end) > level:
-        return _angle_root(piece, level, end)
-    if beyond is not None:
-        turn = root(lambda t: -piece.rate(t), lambda t: -piece.second(t), end, beyond)
-        highest = piece.angle(turn)
-        if level > highest:
-            raise PastFirstMaximumError("level above the first maximum", Enclosure.of(highest))
-        if level < highest:
-            return _angle_root(piece, level, turn.lower())
-    elif piece.angle(end) < level:
-        return None
-    raise UndecidedError("a level meets the end of a piece or the first maximum")
-
-
-def _angle_root(piece: Piece, level: Any, end: Any) -> Place:
-    """Place of the level before end, up to which phi rises."""
-    t = root(lambda t: piece.angle(t) - level, piece.rate, arb(0), end)
-    if not t <= end:
-        raise UndecidedError("the root meets the end of the rise", Enclosure.of(t))
-    return Place(piece=piece, t=t)
 
 
 def length_passage(phi0: Any, length: Any) -> Place:
     """Place before phi = pi where the integral of cos(phi/2) dz is length > 0; it is the only one.
 
-    Raises SingularEdgeError if the integral up to phi = pi is certainly less.
+    The integral grows as long as phi < pi. Raises SingularEdgeError if its value at phi = pi is
+    certainly less.
     """
     for piece in pieces(phi0, with_length=True):
-        end, _ = risen(piece)
+        end, highest = rise(piece)
         if not piece.angle(end) < arb.pi():
-            edge = _angle_root(piece, arb.pi(), end)
+            edge = _of_angle(piece, arb.pi(), end)
             if length > edge.length:
-                raise SingularEdgeError("the singular edge is nearer", Enclosure.of(edge.length))
+                raise SingularEdgeError(
+                    "the singular edge is nearer", Enclosure.if_finite(edge.length)
+                )
             end = edge.t.lower()
         reached = piece.length(end)
         if reached > length:
-            t = root(lambda t, p=piece: p.length(t) - length, piece.length_rate, arb(0), end)
-            if not t <= end:
-                raise UndecidedError("the root meets the end of the rise", Enclosure.of(t))
-            return Place(piece=piece, t=t)
-        if not reached < length:
-            raise UndecidedError("a length meets the end of a piece", Enclosure.of(reached))
+            return _of_length(piece, length, end)
+        if highest is not None or not reached < length:
+            raise UndecidedError("a length meets the end of a piece", Enclosure.if_finite(reached))
     raise UndecidedError("no piece reaches the length")
+
+
+def _of_angle(piece: Piece, level: Any, end: Any) -> Place:
+    """Place of the level before t = end, up to which phi rises."""
+    t = root(lambda t: piece.angle(t) - level, piece.rate, arb(0), end)
+    if not (t >= 0 and t <= end):
+        raise UndecidedError("the root meets an end of the rise", Enclosure.if_finite(t))
+    return Place(piece=piece, t=t)
+
+
+def _of_length(piece: Piece, length: Any, end: Any) -> Place:
+    """Place before t = end where the integral of cos(phi/2) is length, found by z.
+
+    At the origin it grows like z, so that Newton's method in t would leave t > 0.
+    """
+    z = root(
+        lambda z: piece.length(piece.local(z)) - length,
+        lambda z: piece.length_rate(piece.local(z)),
+        piece.start,
+        piece.position(end).mid(),
+    )
+    t = piece.local(z)
+    if not (z >= piece.start and t <= end):
+        raise UndecidedError("the root meets an end of the rise", Enclosure.if_finite(t))
+    return Place(piece=piece, t=t)

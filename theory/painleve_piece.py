@@ -21,8 +21,9 @@ QUOTIENT = 0.3
 class Piece:
     """Solution of PIII on start <= z <= end by t = z - start, or by t = z^2/4 at the origin.
 
-    start, end: exact balls, start 0 at the origin; angle, rate: series of phi and of d phi/dt; half_cosine:
-    series of cos(phi/2) and before: its integral by z up to start, or None where not wanted.
+    start, end: exact balls, start 0 at the origin; angle, rate: series of phi and of d phi/dt;
+    half_cosine: series of cos(phi/2) and before: its integral by z up to start, or None where not
+    wanted.
     """
 
     start: Any
@@ -70,9 +71,8 @@ class Piece:
         return self.before + (series.integral_by_root(t) if self.at_origin else series.integral(t))
 
     def length_rate(self, t: Any) -> Any:
-        """Derivative of length by t > 0."""
-        value = self._cosines()(t)
-        return value / t.sqrt() if self.at_origin else value
+        """Derivative cos(phi/2) of length by z, at the place of t."""
+        return self._cosines()(t)
 
     def _cosines(self) -> BoundedSeries:
         if self.half_cosine is None:

@@ -12,7 +12,7 @@ from mpmath import mp
 from theory.errors import DomainError
 from theory.painleve_segments import place_of_angle, reaching, rising, segments
 from theory.painleve_series import Segment
-from theory.reference_precision import Magnified, Real, mpf_of, settled
+from theory.reference_precision import Magnified, Real, close, mpf_of, same, settled
 
 FURTHEST = 200
 """Largest z."""
@@ -87,16 +87,17 @@ def crossing(phi0: Real, level: Real, *, digits: int = 30) -> Any:
     """
 
     def at(start: Any, wanted: Any) -> tuple[Any, Any]:
+        if close(wanted, start):
+            raise Magnified
         if wanted < start:
             raise DomainError(f"level {mp.nstr(wanted, 15)} is below phi0 = {mp.nstr(start, 15)}")
-        if wanted == start:
-            return mp.zero, mp.one
         segment, end = reaching(start, wanted)
         z = place_of_angle(segment, end, wanted)
         return z, _ratio(wanted, z * segment.slope(z))
 
     def compute() -> tuple[Any, Any]:
-        return at(_initial(phi0), mpf_of(level))
+        start = _initial(phi0)
+        return (mp.zero, mp.one) if same(phi0, level) else at(start, mpf_of(level))
 
     return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
@@ -132,6 +133,8 @@ def _last(phi0: Any, end: Any) -> Segment:
 
 def _initial(phi0: Real) -> Any:
     found = mpf_of(phi0)
+    if close(found, mp.pi):
+        raise Magnified
     if not 0 < found < mp.pi:
         raise DomainError(f"phi0 must lie in (0, pi), not {mp.nstr(found, 15)}")
     return found

@@ -57,7 +57,7 @@ def regular_piece(
     to be carried on; order: number of terms, chosen by itself if left out.
     """
     edge = step_disk(z, angle, slope)
-    end = z + coarse(QUOTIENT * float(edge.s), bits=10)
+    end = (z + coarse(QUOTIENT * float(edge.s), bits=10)).mid()
     if until is not None and until < end:
         end = until
     count = order or order_for(angle, edge, end - z)

@@ -15,13 +15,13 @@ from theory.painleve_segments import place_of_angle, place_of_path, rising
 from theory.reference_precision import Magnified, Real, mpf_of, settled
 
 MOST_DIGITS = 500
-LARGEST_RADIUS = 100
+LARGEST_RADIUS = 50
 
 
 def max_curvature(radius: Real, sectors: int | None = None, *, digits: int = 30) -> Any:
     """Largest curvature on the disk of the surface with this even number of sectors, or the best.
 
-    0 < radius <= 100, sectors = 2m >= 4. Raises DomainError, SingularEdgeError where the disk
+    0 < radius <= 50, sectors = 2m >= 4. Raises DomainError, SingularEdgeError where the disk
     reaches the singular edge, InsufficientPrecisionError.
 
     >>> print(mp.nstr(max_curvature(1, 6), 12), mp.nstr(mp.cot(mp.pi / 6), 12))
@@ -33,6 +33,22 @@ def max_curvature(radius: Real, sectors: int | None = None, *, digits: int = 30)
     return settled(
         lambda: _curvature(_radius(radius), half), digits=digits, most_digits=MOST_DIGITS
     )
+
+
+def rim_angle(radius: Real, sectors: int, *, digits: int = 30) -> Any:
+    """Angle phi where the mirror line leaves the disk, in radians; arguments as above.
+
+    >>> print(mp.nstr(rim_angle(1, 8), 12))
+    1.01062380489
+    """
+    half = _half(sectors)
+
+    def compute() -> tuple[Any, Any]:
+        distance = _radius(radius)
+        rim, rate = _rim(distance, mp.pi / half)
+        return rim, 1 + rate * distance / rim
+
+    return settled(compute, digits=digits, most_digits=MOST_DIGITS)
 
 
 def best_sectors(radius: Real) -> int:
@@ -65,7 +81,7 @@ def _half(sectors: int) -> int:
     return sectors // 2
 
 
-def rim_angle(radius: Any, phi0: Any) -> tuple[Any, Any]:
+def _rim(radius: Any, phi0: Any) -> tuple[Any, Any]:
     """Angle phi_R at distance R along the mirror line, and phi'/cos(phi/2) there: d phi_R/dR.
 
     mpf in and out. Raises SingularEdgeError where phi reaches pi before.
@@ -92,7 +108,7 @@ def rim_angle(radius: Any, phi0: Any) -> tuple[Any, Any]:
 
 def _curvature(radius: Any, half: int) -> tuple[Any, Any]:
     phi0 = mp.pi / half
-    rim, rate = rim_angle(radius, phi0)
+    rim, rate = _rim(radius, phi0)
     # tan(x/2) magnifies an absolute error of x by 1/sin x beside its own size.
     lost = (rim + rate * radius) / mp.sin(rim)
     return max(mp.cot(phi0 / 2), mp.tan(rim / 2)), max(lost, mp.one)
@@ -101,7 +117,7 @@ def _curvature(radius: Any, half: int) -> tuple[Any, Any]:
 def _estimate(radius: Any, phi0: Any) -> Any:
     """Largest curvature to the precision in force; infinite where the edge is reached."""
     try:
-        return max(mp.cot(phi0 / 2), mp.tan(rim_angle(radius, phi0)[0] / 2))
+        return max(mp.cot(phi0 / 2), mp.tan(_rim(radius, phi0)[0] / 2))
     except (SingularEdgeError, Magnified):
         return mp.inf
 

@@ -102,22 +102,22 @@ def bending_coefficient(curvature: sp.Matrix, root: sp.Matrix) -> sp.Expr:
     return sp.cancel(least)
 
 
-def membrane_orders() -> dict[str, set[tuple[int, int]]]:
-    """Powers (i, j) of in-plane size a and out-of-plane size b in strain and bending of a graph.
+def membrane_orders() -> dict[str, set[tuple[int, int, int]]]:
+    """Powers (i, j, k) of in-plane size a, out-of-plane size b and length c in a bent sheet.
 
-    The map (x, y) + a (U, V), b W of a flat sheet: `linear` and `quadratic` hold the lowest terms
-    of the strain in the in-plane and in the out-of-plane displacement, `bending` those of the
-    second form.
+    The map (x, y) + a (U, V), b W of a flat sheet, U, V, W functions of x/c and y/c: `linear` and
+    `quadratic` hold the lowest terms of the strain in the in-plane and in the out-of-plane
+    displacement, `bending` those of the second form.
     """
-    a, b = sp.symbols("a b", positive=True)
-    x, y = coordinates = sp.symbols("x y", real=True)
+    a, b, rate = sp.symbols("a b rate", positive=True)
+    x, y = sp.symbols("x y", real=True)
     u, v, w = (sp.Function(name)(x, y) for name in "uvw")
-    r = (x + a * u, y + a * v, b * w)
-    steps = [derivative(r, c) for c in coordinates]
-    gram = sp.Poly(sp.expand(dot(steps[0], steps[0]) - 1), a, b).monoms()
-    bend = sp.Poly(sp.expand(dot((0, 0, 1), derivative(r, x, x))), a, b).monoms()
+    r = (x / rate + a * u, y / rate + a * v, b * w)
+    step, bend = scaled(rate, derivative(r, x)), scaled(rate**2, derivative(r, x, x))
+    gram = sp.Poly(sp.expand(dot(step, step) - 1), a, b, rate).monoms()
+    bending = sp.Poly(sp.expand(dot((0, 0, 1), bend)), a, b, rate).monoms()
     return {
-        "linear": {m for m in gram if m[1] == 0 and m[0] == 1},
-        "quadratic": {m for m in gram if m[0] == 0},
-        "bending": set(bend),
+        "linear": {(i, j, -k) for i, j, k in gram if j == 0 and i == 1},
+        "quadratic": {(i, j, -k) for i, j, k in gram if i == 0},
+        "bending": {(i, j, -k) for i, j, k in bending},
     }

@@ -108,11 +108,6 @@ def _log_radius(ball: Any) -> float:
     return float(int(mantissa).bit_length() + int(exponent)) if mantissa else float("-inf")
 
 
-def upper(ball: Any) -> Any:
-    """Exact upper end of a ball, rounded up."""
-    return ball.upper()
-
-
 def coarse(value: float, *, bits: int = 8) -> Any:
     """Exact ball of the positive float cut to this many leading bits, at most the float."""
     mantissa, exponent = _split(value, bits)

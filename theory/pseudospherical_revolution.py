@@ -107,26 +107,29 @@ def meridian_normal() -> Vector:
 
 def torsion(velocity: Vector, acceleration: Vector, jerk: Vector) -> Any:
     """Torsion of a curve in R^3 by its first three derivatives; undefined where it is straight."""
-    velocity, acceleration, jerk = (_expanded(a) for a in (velocity, acceleration, jerk))
-    binormal = _expanded(cross(velocity, acceleration))
-    return sp.expand(dot(binormal, jerk)) / sp.expand(dot(binormal, binormal))
+    velocity, acceleration, jerk = (_factored(a) for a in (velocity, acceleration, jerk))
+    binormal = _factored(cross(velocity, acceleration))
+    return sp.factor(dot(binormal, jerk)) / sp.factor(dot(binormal, binormal))
 
 
-def _expanded(a: Vector) -> Vector:
-    return (sp.expand(a[0]), sp.expand(a[1]), sp.expand(a[2]))
+def _factored(a: Vector) -> Vector:
+    return (sp.factor(a[0]), sp.factor(a[1]), sp.factor(a[2]))
 
 
 def torsions(flow: Flow) -> tuple[Any, Any]:
-    """Torsions in R^3 of the u-line and the v-line, where they are not straight (psi != pi/2).
+    """Torsions in R^3 of the u-line and the v-line, as expressions of t = tan(psi/2).
 
     Taken at azimuth 0: turning about the axis moves each family onto itself.
     """
     r_u, r_v = asymptotic_tangents(flow)
     r_uu, r_vv = flow.vector_u(r_u), flow.vector_v(r_v)
     jets = ((r_u, r_uu, flow.vector_u(r_uu)), (r_v, r_vv, flow.vector_v(r_vv)))
-    along_u, along_v = (torsion(*(_at_azimuth_0(a) for a in jet)) for jet in jets)
+    along_u, along_v = (torsion(*(_by_half_tangent(a) for a in jet)) for jet in jets)
     return along_u, along_v
 
 
-def _at_azimuth_0(a: Vector) -> Vector:
-    return (a[0].subs(THETA, 0), a[1].subs(THETA, 0), a[2].subs(THETA, 0))
+def _by_half_tangent(a: Vector) -> Vector:
+    """Vector at azimuth 0 by t = tan(psi/2)."""
+    t = sp.Symbol("t", real=True)
+    place = {THETA: 0, sp.sin(PSI): 2 * t / (1 + t**2), sp.cos(PSI): (1 - t**2) / (1 + t**2)}
+    return (a[0].subs(place), a[1].subs(place), a[2].subs(place))

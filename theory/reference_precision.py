@@ -42,6 +42,17 @@ def mpf_of(value: Real) -> Any:
     return +number
 
 
+def same(first: Real, second: Real) -> bool:
+    """Whether two exact reals are the same number for certain: one object, or equal rationals."""
+    rational = all(isinstance(value, int | Fraction) for value in (first, second))
+    return first is second or (rational and bool(first == second))
+
+
+def close(first: Any, second: Any) -> bool:
+    """Whether rounding at the precision in force may hide which of two mpf is larger."""
+    return bool(abs(first - second) <= abs(second) * mp.ldexp(1, 4 - mp.prec))
+
+
 def settled(
     compute: Callable[[], tuple[Any, Any]], *, digits: int, most_digits: int = MOST_DIGITS
 ) -> Any:

@@ -16,7 +16,7 @@ _COORDINATES = (
         where="section 3.1, item (A), line 247",
         kind="item",
         statement=r"Near each point there are coordinates $(u, v)$ with $r_u \times r_v \neq 0$ "
-        r"whose lines are asymptotic, $N \cdot r_{uu} = N \cdot r_{vv} = 0$.",
+        r"whose lines are asymptotic: the second fundamental form vanishes on $r_u$ and on $r_v$.",
         hypotheses=(_SURFACE,),
         checks=(
             Check(
@@ -84,7 +84,9 @@ _COORDINATES = (
             r"$r_{uu} = \kappa^u N \times r_u = -\varphi_u N \times r_u$ tends to $-e_2$ from $u > "
             r"0$ and to $e_2$ from $u < 0$.",
             conclusion_survives=True,
-            remark=r"That Lipschitz Goursat data have a $C^{1M}$ solution is classical; the check "
+            remark=r"Read as coefficients of the second fundamental form, which a $C^2$ surface "
+            r"has, the condition is right; that $r_{uu}$ exists is used from item (B) on. "
+            r"That Lipschitz Goursat data have a $C^{1M}$ solution is classical; the check "
             r"computes both sides to order 6 in $v$. No other choice of asymptotic coordinates "
             r"helps: the unit tangent itself has a kink. The class $C^{1M}$ that the section "
             r"introduces later allows for this, the curvatures $\kappa^u, \kappa^v$ of (eq:frames) "

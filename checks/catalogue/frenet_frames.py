@@ -52,7 +52,7 @@ _FRAMES = (
             Check(
                 name="curvature not negative",
                 run=_RUN + "principal_normal",
-                routes=("printed frame", "second derivatives of the pseudosphere"),
+                routes=("printed frame", "second derivatives of the pseudosphere, u reversed"),
                 mutants=(Mutant(name="towards N", given={"towards": "normal"}),),
             ),
             Check(
@@ -68,17 +68,18 @@ _FRAMES = (
             ),
         ),
         erratum=Erratum(
-            printed=r"(r_u, N \times r_u, N) is a Frenet frame of the u-lines, and likewise for v",
+            printed=r"(r_u, N \times r_u, N) is a Frenet frame of the u-lines; Frenet-Serret "
+            r"formulae for it and for (r_v, N \times r_v, N)",
             corrected=r"it is the frame that the surface gives to the line (Darboux), and the "
             r"Frenet frame with a curvature that may be negative or 0",
             kind="ambiguous",
             witness=r"Pseudosphere $r = (\operatorname{sech}\chi \cos\theta, "
-            r"\operatorname{sech}\chi \sin\theta, \chi - \tanh\chi)$, $\chi = u + v$, $\theta = v "
-            r"- u$, $N = -(\tanh\chi \cos\theta, \tanh\chi \sin\theta, \operatorname{sech}\chi)$: "
-            r"$r_{uu} = 2 \operatorname{sech}\chi\, N \times r_u$ but $r_{vv} = -2 "
-            r"\operatorname{sech}\chi\, N \times r_v$, so the principal normal of the $v$-lines is "
-            r"$-N \times r_v$. On the straight edges of an Amsler sector $r_{uu} = 0$: no Frenet "
-            r"frame exists.",
+            r"\operatorname{sech}\chi \sin\theta, \chi - \tanh\chi)$, $\chi = v - u$, $\theta = u "
+            r"+ v$, $N = -(\tanh\chi \cos\theta, \tanh\chi \sin\theta, \operatorname{sech}\chi)$: "
+            r"$r_{uu} = -2 \operatorname{sech}\chi\, N \times r_u$ and $r_{vv} = -2 "
+            r"\operatorname{sech}\chi\, N \times r_v$, so the principal normals are $-N \times "
+            r"r_u$ and $-N \times r_v$. On the straight edges of an Amsler sector $r_{uu} = 0$: no "
+            r"Frenet frame exists.",
             conclusion_survives=True,
             remark=r"(eq:frames) holds with the signed geodesic curvatures, as item (E) and "
             r"(eq:sg) use them.",

@@ -45,12 +45,16 @@ CLAIMS: tuple[Claim, ...] = (
                 r"and $\liminf h^{-\alpha}I[\tilde y^h] \ge \bar E[\bar y]$ for every sequence "
                 r"$\tilde y^h \to \bar y$"
             ),
-            kind="hypothesis",
+            kind="ambiguous",
             witness=(
                 r"$f_h(x) = \cos(x/h)$ recovers every constant $c \in [-1,1]$ along $x_h = "
                 r"h(\arccos c + 2\pi\lfloor x/2\pi h\rfloor) \to x$; its $\Gamma$-limit is $-1$"
             ),
             conclusion_survives=True,
+            remark=(
+                r"as a property of the $\Gamma$-limit, which the paper names and cites, the "
+                r"sentence is right; it does not define the limit"
+            ),
         ),
     ),
     Claim(
@@ -204,7 +208,11 @@ CLAIMS: tuple[Claim, ...] = (
                 r"$a$ times that"
             ),
             conclusion_survives=True,
-            remark=r"$\mathcal E_2$ itself, all that the paper uses, is right",
+            remark=(
+                r"$\mathcal E_2$ itself, all that the paper uses, is right; so is the factor $24/Y$ "
+                r"before $h^{-3}\mathcal E^h$ on isometries, with $\mathcal E^h$ of "
+                r"(eqn:finitethicknessenergy) in place of $I$"
+            ),
         ),
     ),
     Claim(

@@ -8,7 +8,7 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="2.fvk-displacement-scaling",
         section="2",
-        where="before equation (FvK), line 156",
+        where="before equation (FvK), line 155",
         kind="sentence",
         statement=(
             r"In-plane displacements $O(\sqrt h)$ and out-of-plane displacements $O(h)$ are the "
@@ -50,10 +50,25 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="as-printed", given={"in_plane": "1/2"}),
                 ),
             ),
+            Check(
+                name="energies-balance-over-root-lengths",
+                run=f"{_PLATES}:displacement_scaling",
+                form="corrected",
+                part="energy",
+                given={"in_plane": "3/2", "length": "1/2", "terms": "energy"},
+                routes=("corrected exponents", "orders of stretching and bending"),
+                mutants=(
+                    Mutant(name="lengths-of-order-one", given={"length": "0"}),
+                    Mutant(name="out-of-plane-square-root", given={"out_of_plane": "1/2"}),
+                ),
+            ),
         ),
         erratum=Erratum(
-            printed=r"in plane $O(\sqrt h)$, out of plane $O(h)$",
-            corrected=r"in plane $O(h^2)$, out of plane $O(h)$",
+            printed=r"displacements in plane $O(\sqrt h)$, out of plane $O(h)$",
+            corrected=(
+                r"out of plane $O(h)$, in plane $O(h^2)$; or over in-plane lengths $O(\sqrt h)$, "
+                r"in plane $O(h^{3/2})$"
+            ),
             kind="false",
             witness=(
                 r"the strain $\frac12(\nabla u+\nabla u^T+\nabla w\otimes\nabla w)$ has the orders "
@@ -61,8 +76,10 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                r"exchanging the two exponents, in plane $O(h)$ and out of plane $O(\sqrt h)$, "
-                r"balances the strains, but stretching then costs $h^3$ and bending $h^4$"
+                r"the exponents are right for in-plane lengths $O(\sqrt h)$ and out-of-plane "
+                r"displacements $O(h)$, where both energies are $h^3$ per area. Exchanged, in "
+                r"plane $O(h)$ and out of plane $O(\sqrt h)$, balances the strains, but stretching "
+                r"then costs $h^3$ and bending $h^4$"
             ),
         ),
     ),
@@ -195,7 +212,10 @@ CLAIMS: tuple[Claim, ...] = (
                 r"printed $12:1$, is $3:1$ for every isotropic density with $\nu=0$"
             ),
             conclusion_survives=True,
-            remark="the bending term, the only one that isometries feel, is right",
+            remark=(
+                r"the bending term, the only one that isometries feel, is right. The paper defines "
+                r"no norm: one of half the usual length would absorb the factor"
+            ),
         ),
     ),
     Claim(
@@ -250,7 +270,7 @@ CLAIMS: tuple[Claim, ...] = (
         section="2",
         where="after equation (eqn:finitethicknessenergy), line 167",
         kind="definition",
-        statement=r"$H = \frac{\kappa_1+\kappa_2}{2}$ is the mean curvature.",
+        statement=r"The mean curvature is $H = \frac{\kappa_1+\kappa_2}{2}$.",
         checks=(
             Check(
                 name="half-trace",
@@ -327,8 +347,8 @@ CLAIMS: tuple[Claim, ...] = (
         where="after equation (eqn:finitethicknessenergy), line 170",
         kind="definition",
         statement=(
-            r"The Kirchhoff-Love extension maps fibres orthogonal to $\Omega$ to fibres orthogonal "
-            r"to $y(\Omega)$, isometrically for $\nu = 0$."
+            r"The Kirchhoff-Love extension takes the normal fibre at a point of $\Omega$ to the "
+            r"normal of $y(\Omega)$ at its image, for $\nu = 0$ at unit speed."
         ),
         checks=(
             Check(

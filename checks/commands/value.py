@@ -60,7 +60,8 @@ def _answered(value: Value, given: Numbers, digits: int, certified: bool) -> Ans
     route = value.certified if certified else value.reference
     arguments = _arguments(value.keys, given, certified)
     try:
-        found = function_of(route)(*arguments, digits=digits)
+        function = function_of(route)
+        found = function(*arguments) if value.integer else function(*arguments, digits=digits)
     except DomainError as error:
         raise BadInput(f"{value.name}: {_said(error)}") from error
     except (InsufficientPrecisionError, UndecidedError) as error:
@@ -106,6 +107,8 @@ def _decimal(found: Any, digits: int) -> tuple[str, str]:
     """Decimal rounded to nearest, and a bound on its distance from every number enclosed."""
     from theory.enclosure import Enclosure
 
+    if isinstance(found, int):
+        return str(found), "0"
     if not isinstance(found, Enclosure):
         # The same rounding and the same form for a number of mpmath, taken as the point it is.
         sign, mantissa, exponent, _ = found._mpf_

@@ -13,11 +13,11 @@ def metric_defect(
     return gram - sp.Rational(metric_factor) * metric
 
 
-def squared_norm(defect: sp.Matrix, metric: sp.Matrix, *, norm: str = "entries") -> sp.Expr:
-    """Squared norm in (eqn:threedenergy), whose meaning is not printed.
+def squared_norm(defect: sp.Matrix, metric: sp.Matrix, *, norm: str = "metric") -> sp.Expr:
+    """Squared norm in (eqn:threedenergy), read as that of 2-tensors in the metric.
 
-    norm: `entries` sums the squares of the components; `metric` raises both indices with the
-    metric, `one index` only one of them. Raises ValueError for another.
+    norm: `metric` raises both indices with the metric, `one index` only one of them, `entries`
+    sums the squares of the components. Raises ValueError for another.
     """
     if norm == "entries":
         return (defect.T * defect).trace()
@@ -45,9 +45,14 @@ def plate_metric(g: sp.Matrix, *, across: str = "1", shear: str = "0") -> sp.Mat
     return metric
 
 
-def displacement_exponents(*, in_plane: str = "1/2", out_of_plane: str = "1") -> tuple[Any, Any]:
-    """Exponents of h in the displacements of a sheet (before FvK): in plane, out of plane."""
-    return sp.Rational(in_plane), sp.Rational(out_of_plane)
+def displacement_exponents(
+    *, in_plane: str = "1/2", out_of_plane: str = "1", length: str = "0"
+) -> tuple[Any, Any, Any]:
+    """Exponents of h in the displacements of a sheet (before FvK): in plane, out of plane.
+
+    length: exponent of the length over which they vary, which is not printed.
+    """
+    return sp.Rational(in_plane), sp.Rational(out_of_plane), sp.Rational(length)
 
 
 def fvk_energy(

@@ -23,8 +23,8 @@ def curvature_bounds(mean: Any, *, scale: str = "1", offset: str = "1") -> tuple
     return sp.Rational(scale) * 2 * mean, 2 * mean + sp.Rational(offset)
 
 
-def max_mean_energy(mean: Any, *, factor: str = "1") -> Any:
-    """Multiple of max |H| that E_infty is essentially the same as (after the display)."""
+def max_mean_energy(mean: Any, *, factor: str = "2") -> Any:
+    """Multiple of |H| that the max curvature is near (the display and the sentence after it)."""
     return sp.Rational(factor) * mean
 
 

@@ -41,7 +41,7 @@ def inner(phi0: Any, z: Any, *, coefficient: str = "1/4", power: int = 2) -> Any
 
 
 def growth(phi0: Any, z: Any, field: Any, *, under: str = "2", factor: str = "1") -> Any:
-    """Number delta of the matching, the leading term for large z."""
+    """Leading term delta for large z, in which the data are matched."""
     return _times(factor, phi0 * field.exp(z) / field.sqrt(_times(under, field.pi * z)))
 
 

@@ -1,9 +1,11 @@
 """Values of the periodic Amsler surfaces: 2m equal Amsler sectors about the centre of a disk."""
 
+from dataclasses import replace
+
 from checks.values.value import Key, Value
 
 RADIUS = Key(
-    name="radius", meaning="radius of the geodesic disk", low="0", high="100", low_open=True
+    name="radius", meaning="radius of the geodesic disk", low="0", high="50", low_open=True
 )
 SECTORS = Key(
     name="sectors",
@@ -14,13 +16,39 @@ SECTORS = Key(
     optional=True,
 )
 
-VALUES = (
-    Value(
-        name="amsler.periodic_max_curvature",
-        meaning="largest curvature on the disk",
-        keys=(RADIUS, SECTORS),
-        certified="theory.periodic_amsler:max_curvature",
-        reference="theory.periodic_amsler_reference:max_curvature",
+
+def _value(
+    name: str, meaning: str, keys: tuple[Key, ...], function: str, *, integer: bool = False
+) -> Value:
+    return Value(
+        name=f"amsler.{name}",
+        meaning=meaning,
+        keys=keys,
+        certified=f"theory.periodic_amsler:{function}",
+        reference=f"theory.periodic_amsler_reference:{function}",
         reference_digits=500,
+        integer=integer,
+    )
+
+
+VALUES = (
+    _value(
+        "periodic_max_curvature",
+        "largest curvature on the disk",
+        (RADIUS, SECTORS),
+        "max_curvature",
+    ),
+    _value(
+        "best_sectors",
+        "number of sectors for which it is least",
+        (RADIUS,),
+        "best_sectors",
+        integer=True,
+    ),
+    _value(
+        "rim_angle",
+        "largest angle on the disk, where the mirror lines leave it",
+        (RADIUS, replace(SECTORS, optional=False, meaning="number of sectors")),
+        "rim_angle",
     ),
 )

@@ -14,37 +14,21 @@ LEVEL = Key(
     high_open=True,
 )
 
+
+def _value(name: str, meaning: str, *keys: Key) -> Value:
+    return Value(
+        name=f"painleve.{name}",
+        meaning=meaning,
+        keys=keys,
+        certified=f"theory.painleve:{name}",
+        reference=f"theory.painleve_reference:{name}",
+        reference_digits=DIGITS,
+    )
+
+
 VALUES = (
-    Value(
-        name="painleve.angle",
-        meaning="angle phi(z) between the asymptotic lines of an Amsler sector",
-        keys=(PHI0, Z),
-        certified="theory.painleve:angle",
-        reference="theory.painleve_reference:angle",
-        reference_digits=DIGITS,
-    ),
-    Value(
-        name="painleve.slope",
-        meaning="its derivative phi'(z)",
-        keys=(PHI0, Z),
-        certified="theory.painleve:slope",
-        reference="theory.painleve_reference:slope",
-        reference_digits=DIGITS,
-    ),
-    Value(
-        name="painleve.crossing",
-        meaning="first z with phi(z) = level",
-        keys=(PHI0, LEVEL),
-        certified="theory.painleve:crossing",
-        reference="theory.painleve_reference:crossing",
-        reference_digits=DIGITS,
-    ),
-    Value(
-        name="painleve.diagonal",
-        meaning="signed integral of cos(phi/2) from 0 to z, the length along the mirror line",
-        keys=(PHI0, Z),
-        certified="theory.painleve:diagonal",
-        reference="theory.painleve_reference:diagonal",
-        reference_digits=DIGITS,
-    ),
+    _value("angle", "angle phi(z) between the asymptotic lines of an Amsler sector", PHI0, Z),
+    _value("slope", "its derivative phi'(z)", PHI0, Z),
+    _value("crossing", "first z with phi(z) = level", PHI0, LEVEL),
+    _value("diagonal", "integral of cos(phi/2) from 0 to z, length along the mirror line", PHI0, Z),
 )

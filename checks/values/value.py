@@ -2,7 +2,7 @@
 
 The routes are named as "module:function" and imported only when a value is asked for. Both take
 the keys in their order and `digits=`; the first returns a theory.enclosure.Enclosure, the second a
-number of mpmath, and either may return an integer, which is exact.
+number of mpmath; those of an integer take no digits and return it.
 """
 
 from collections.abc import Callable
@@ -47,7 +47,8 @@ class Key:
 class Value:
     """One number of the paper that can be asked for by name.
 
-    certified, reference: "module:function"; reference_digits: most digits of the latter.
+    certified, reference: "module:function"; reference_digits: most digits of the latter. integer:
+    whether the value is an integer, which takes no digits and is exact.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Value:
     certified: str
     reference: str
     reference_digits: int = MOST_DIGITS
+    integer: bool = False
 
     def __post_init__(self) -> None:
         for route in (self.certified, self.reference):

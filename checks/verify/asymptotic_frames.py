@@ -18,6 +18,7 @@ from checks.verify.nets import (
 from theory.asymptotic_net import AsymptoticNet
 from theory.forms import coordinate_line_curvatures, first_form
 from theory.frames import gram, handedness
+from theory.reparametrisation import changed
 from theory.surfaces import pseudosphere
 from theory.vectors import Vector, scaled
 
@@ -56,8 +57,8 @@ def principal_normal(setting: Setting, *, signed: bool = False, towards: str = "
     """Item (B): N x r_u is the principal normal of the u-lines and N x r_v that of the v-lines.
 
     signed: whether the curvature may be negative; if not it is |r_uu| or |r_vv|, as for the Frenet
-    frame of a space curve. towards: "side" for N x r_u, "normal" for N. On the pseudosphere, and
-    on all nets where the curvature is signed.
+    frame of a space curve. towards: "side" for N x r_u, "normal" for N. On the pseudosphere with u
+    reversed, and on all nets where the curvature is signed.
     """
 
     def residuals(net: AsymptoticNet) -> dict[str, Any]:
@@ -74,7 +75,8 @@ def principal_normal(setting: Setting, *, signed: bool = False, towards: str = "
             found[f"r_{along}{along}"] = minus(bent, scaled(curvature, target))
         return found
 
-    nets = all_nets() if signed else (pseudosphere().net(1),)
+    reversed_u = changed(pseudosphere().net(1), ((-1, 0), (0, 1)))
+    nets = all_nets() if signed else (reversed_u,)
     return over_nets(
         setting,
         nets,

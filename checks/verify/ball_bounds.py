@@ -1,4 +1,4 @@
-"""Evidence from inequalities between balls, and the functions that balls share with other fields."""
+"""Evidence from inequalities between balls, and functions of balls by their common names."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -42,13 +42,25 @@ def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
                 met += 1
             elif quantity > bound:
                 witness = f"{place}: {_text(quantity)} > {_text(bound)}"
-                return Evidence(outcome="fail", grade="certified", witness=witness, tried=tried,
-                                met=tried, shown=shown)  # fmt: skip
+                return Evidence(
+                    outcome="fail",
+                    grade="certified",
+                    witness=witness,
+                    tried=tried,
+                    met=tried,
+                    shown=shown,
+                )
             else:
                 open_places.append(place)
     if open_places or not tried:
-        return Evidence(outcome="undecided", grade="certified", tried=tried, met=met,
-                        shown=f"not decided: {', '.join(open_places[:5]) or 'no sample'}")  # fmt: skip
+        where = ", ".join(open_places[:5]) or "no sample"
+        return Evidence(
+            outcome="undecided",
+            grade="certified",
+            tried=tried,
+            met=met,
+            shown=f"not decided: {where}",
+        )
     return Evidence(outcome="pass", grade="certified", tried=tried, met=met, shown=shown)
 
 

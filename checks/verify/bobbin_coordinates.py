@@ -198,13 +198,14 @@ def half_angles(setting: Setting, *, factor: int = 2, exchanged: bool = False) -
     flow = bobbin_flow()
     r_u, r_v = asymptotic_tangents(flow)
     step = added(scaled(du, r_u), scaled(dv, r_v))
+    inner, squared = dot(r_u, r_v).subs(THETA, 0), dot(step, step).subs(THETA, 0)
     residuals = {}
     for sigma in SIGNS:
         stated = printed.metric(du, dv, phi, sigma, factor=factor)
         cases = printed.metric_by_half_angles(du, dv, phi, sigma, exchanged=exchanged)
         residuals[f"cases, sigma = {sigma}"] = stated - cases
-        measured = stated.subs(sp.cos(phi), sigma * dot(r_u, r_v))
-        residuals[f"induced, sigma = {sigma}"] = measured - dot(step, step)
+        measured = stated.subs(sp.cos(phi), sigma * inner)
+        residuals[f"induced, sigma = {sigma}"] = measured - squared
     return identities(
         setting, residuals, shown="both equalities hold for sigma = +1 and for sigma = -1"
     )

@@ -1,5 +1,7 @@
 """Checks of Minding's bobbin as a front, its normals and the Lelieuvre equations (eq:NFront)."""
 
+from typing import Any
+
 import sympy as sp
 
 from checks.evidence import Evidence, Setting
@@ -21,17 +23,20 @@ from theory.pseudospherical_revolution import (
 )
 from theory.vectors import Vector, added, cross, dot, scaled
 
+AZIMUTH = sp.atan(sp.Rational(4, 3))
+
 
 def _azimuth(sense: int, shift: int = 1) -> sp.Expr:
     return printed.azimuth(U, V, KAPPA, sense=sense, shift=shift)
 
 
-def _at_theta(a: Vector, sense: int) -> Vector:
-    """Vector of u, v and psi at v = 0 and the u for which the azimuth is theta (or its negative).
+def _at(a: Vector, sense: int, azimuth: Any = AZIMUTH) -> Vector:
+    """Vector of u, v and psi at v = 0 and the u for which the printed azimuth has this value.
 
-    The azimuth depends on u - v only, so nothing is lost.
+    What is printed turns with u - v about the axis, so that one azimuth stands for all; AZIMUTH has
+    the cosine 3/5 and the sine 4/5, and tells them apart.
     """
-    place = {V: 0, U: sense * THETA * sp.sqrt(KAPPA**2 + 1) / KAPPA}
+    place = {V: 0, U: sense * azimuth * sp.sqrt(KAPPA**2 + 1) / KAPPA}
     x, y, z = (entry.subs(place, simultaneous=True) for entry in a)
     return (x, y, z)
 
@@ -40,20 +45,20 @@ def _point(sense: int, shift: int = 1) -> Vector:
     return printed.front(bobbin_flow().rho, Z, _azimuth(sense, shift))
 
 
-def _tangents(sense: int) -> tuple[Vector, Vector]:
-    """Tangents r_u and r_v of the printed front, at the azimuth theta."""
+def _tangents(sense: int, azimuth: Any = AZIMUTH) -> tuple[Vector, Vector]:
+    """Tangents r_u and r_v of the printed front, at this azimuth."""
     flow, r = bobbin_flow(), _point(sense)
-    return _at_theta(flow.vector_u(r), sense), _at_theta(flow.vector_v(r), sense)
+    return _at(flow.vector_u(r), sense, azimuth), _at(flow.vector_v(r), sense, azimuth)
 
 
 def front_surface(setting: Setting, *, sense: int = 1, speed: int = 1, shift: int = 1) -> Evidence:
     """Properties of the printed map: unit speed, asymptotic, the metric of the bobbin."""
     flow, r = bobbin_flow(), _point(sense, shift)
     first_u, first_v = flow.vector_u(r), flow.vector_v(r)
-    r_u, r_v = _at_theta(first_u, sense), _at_theta(first_v, sense)
-    r_uu = _at_theta(flow.vector_u(first_u), sense)
-    r_vv = _at_theta(flow.vector_v(first_v), sense)
-    normal = meridian_normal()
+    r_u, r_v = _at(first_u, sense), _at(first_v, sense)
+    r_uu = _at(flow.vector_u(first_u), sense)
+    r_vv = _at(flow.vector_v(first_v), sense)
+    normal = _placed(meridian_normal())
     inner = flow.s_rate**2 - flow.alpha**2 * flow.rho**2
     return identities(
         setting,
@@ -72,23 +77,29 @@ def front_surface(setting: Setting, *, sense: int = 1, speed: int = 1, shift: in
 
 
 def front_torsions(setting: Setting, *, sense: int = 1, first: int = -1) -> Evidence:
-    """Torsions of the printed curves: first on the u-curves, its negative on the v-curves."""
-    flow, r = bobbin_flow(), _point(sense)
-    found = []
-    for step in (flow.vector_u, flow.vector_v):
+    """Torsions of the printed curves: first on the u-curves, its negative on the v-curves.
+
+    On one quarter period: r and its torsion are analytic in psi.
+    """
+    flow, r, quarter = bobbin_flow(), _point(sense), BRANCHES[0]
+    residuals = {}
+    for name, step, wanted in (("u", flow.vector_u, first), ("v", flow.vector_v, -first)):
         jet = [step(r)]
         for _ in range(2):
             jet.append(step(jet[-1]))
-        found.append(torsion(*(_at_azimuth_0(_at_theta(a, sense)) for a in jet)))
+        velocity, acceleration, jerk = (quarter.vector(_at(a, sense, 0)) for a in jet)
+        found = torsion(velocity, acceleration, jerk)
+        residuals[f"{name}-curves, {quarter.name}"] = found - wanted
     return identities(
         setting,
-        {"u-curves": found[0] - first, "v-curves": found[1] + first},
+        residuals,
         shown="torsion -1 on the u-curves and +1 on the v-curves, the convention of section 3.1",
     )
 
 
-def _at_azimuth_0(a: Vector) -> Vector:
-    return (a[0].subs(THETA, 0), a[1].subs(THETA, 0), a[2].subs(THETA, 0))
+def _placed(a: Vector) -> Vector:
+    """Vector of theta and psi at the azimuth AZIMUTH."""
+    return (a[0].subs(THETA, AZIMUTH), a[1].subs(THETA, AZIMUTH), a[2].subs(THETA, AZIMUTH))
 
 
 def not_immersed(setting: Setting, *, at: str = "edge") -> Evidence:
@@ -144,18 +155,16 @@ def normal_direction(
     setting: Setting, *, multiple: int = 1, sense: int = 1, height: int = 1
 ) -> Evidence:
     """r_u x r_v as a positive multiple, 2 alpha rho, of the printed vector."""
-    r_u, r_v = _tangents(sense)
     flow = bobbin_flow()
-    theta = _at_theta((_azimuth(sense), sp.Integer(0), sp.Integer(0)), sense)[0]
-    stated = printed.normal_direction(
-        arc_length(), flow.s_rate, sp.sin(PSI), theta, KAPPA, multiple=multiple, height=height
-    )
     length = 2 * flow.alpha * flow.rho
+    stated = printed.normal_direction(
+        arc_length(), flow.s_rate, sp.sin(PSI), AZIMUTH, KAPPA, multiple=multiple, height=height
+    )
     return identities(
         setting,
         {
             "dz/ds": sp.sin(PSI) * flow.s_rate - flow.z_rate,
-            "r_u x r_v": added(cross(r_u, r_v), scaled(-length, stated)),
+            "r_u x r_v": added(cross(*_tangents(sense)), scaled(-length, stated)),
         },
         shown="r_u x r_v is 2 alpha rho > 0 times the vector",
     )
@@ -243,7 +252,7 @@ def front_normal(
     for branch in BRANCHES:
         stated = _printed_normal(branch.slope, sense, radial=radial, power=power, function=function)
         unit = scaled(branch.slope, unit_cross(r_u, r_v, flow, branch))
-        here = branch.vector(_at_theta(stated, sense))
+        here = branch.vector(_at(stated, sense))
         residuals[branch.name] = added(unit, scaled(-1, here))
     return identities(
         setting,
@@ -264,9 +273,9 @@ def lelieuvre(
     residuals = {}
     for slope in SIGNS:
         normal = _printed_normal(slope, sense, radial=radial, power=2, function="sinh")
-        n_u = _at_theta(flow.vector_u(normal), sense)
-        n_v = _at_theta(flow.vector_v(normal), sense)
-        here = _at_theta(normal, sense)
+        n_u = _at(flow.vector_u(normal), sense)
+        n_v = _at(flow.vector_v(normal), sense)
+        here = _at(normal, sense)
         name = f"s' {'>' if slope == 1 else '<'} 0"
         residuals[f"r_u ({name})"] = added(r_u, scaled(-orientation, cross(n_u, here)))
         residuals[f"r_v ({name})"] = added(r_v, scaled(orientation, cross(n_v, here)))

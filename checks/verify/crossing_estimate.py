@@ -1,4 +1,4 @@
-"""Checks of the estimate of the first crossing of pi (eqa5, line 3)."""
+"""Checks of the first crossing of pi: its value, and its estimate (eqa5, line 3)."""
 
 from collections.abc import Iterator
 
@@ -88,9 +88,7 @@ def derivation(
     phi0, z = sp.symbols("phi_0 z", positive=True)
     level, first = painleve_matching.crossing_terms()
     matched = -sp.log(phi0) + sp.log(2 * sp.pi * z) / 2 + level + first / z
-    claimed = printed.crossing_estimate(
-        phi0, z, sp, slow=slow, constant=constant, inverse=inverse
-    )
+    claimed = printed.crossing_estimate(phi0, z, sp, slow=slow, constant=constant, inverse=inverse)
     return identities(
         setting,
         {"printed minus matched": sp.expand(claimed - matched)},
@@ -106,8 +104,38 @@ def reference_agrees(setting: Setting, *, shift: str = "0") -> Evidence:
     def rows() -> Iterator[Row]:
         for name in ("pi/100", "1e-2", "1e-4", "1e-6", "1e-9", "1e-12"):
             z = initial_angles.crossing(name)
-            other = arb(str(initial_angles.reference_crossing(name, digits=25)))
+            other = initial_angles.reference_crossing_ball(name)
             difference = z - other + initial_angles.fraction(shift)
             yield f"difference of the routes, phi0 = {name}", abs(difference), arb(10) ** -20
 
     return bounded(rows(), shown="the two routes give the same z* to 20 digits")
+
+
+def crossing_number(setting: Setting, *, value: str = "9", initial: str = "pi/100") -> Evidence:
+    """First crossing of pi against a number, to half a unit of its last place, by two routes."""
+    del setting
+    places = len(value.partition(".")[2])
+
+    def rows() -> Iterator[Row]:
+        z = initial_angles.crossing(initial)
+        claimed = initial_angles.fraction(value)
+        other = initial_angles.reference_crossing_ball(initial)
+        place = f"distance of z* = {z.str(10, radius=False)} from {value}, phi0 = {initial}"
+        yield place, abs(z - claimed), arb(1) / (2 * 10**places)
+        yield "distance of the two routes", abs(z - other), arb(10) ** -20
+
+    return bounded(rows(), shown=f"z* = {value} to the digits shown, by both routes")
+
+
+def angle_of_crossing(
+    setting: Setting, *, z: str = "9", low: str = "0.003790746", high: str = "0.003790747"
+) -> Evidence:
+    """Whether the initial angle whose first crossing is at z lies between two numbers."""
+    del setting
+
+    def rows() -> Iterator[Row]:
+        at = initial_angles.fraction(z)
+        yield f"z - z*({low})", at - initial_angles.crossing(low), arb(0)
+        yield f"z*({high}) - z", initial_angles.crossing(high) - at, arb(0)
+
+    return bounded(rows(), shown=f"z* = {z} for an angle between {low} and {high}, about pi/829")

@@ -7,6 +7,7 @@ from checks.exact import combined, identities, statement
 from checks.printed import elasticity as printed
 from theory import energy_well, plate_energy
 from theory.curvature import first_form
+from theory.vectors import triple
 
 QUATERNION = sp.symbols("q0:4", real=True)
 ROOT = sp.Matrix([[2, 1, 0], [1, 3, 1], [0, 1, 2]])
@@ -33,7 +34,7 @@ def metric_energy(setting: Setting, *, metric_factor: str = "1", swapped: bool =
     )
 
 
-def coordinate_independence(setting: Setting, *, norm: str = "entries") -> Evidence:
+def coordinate_independence(setting: Setting, *, norm: str = "metric") -> Evidence:
     """Whether the density of (eqn:threedenergy) is the same in two systems of coordinates."""
     p = sp.Symbol("p", positive=True)
     e, f, q = sp.symbols("e f q", real=True)
@@ -88,7 +89,7 @@ def energy_well_contents(
 ) -> Evidence:
     """Whether the well is exactly the set of isometric maps F, F^T F = A^2, of this orientation."""
     inside = printed.well_element(energy_well.rotation(QUATERNION), ROOT, order=order)
-    # Conversely R = F A^-1 has R^T R = A^-1 (F^T F) A^-1, whatever the symmetric root.
+    # Conversely R = F A^-1 has R^T R = A^-1 (A A) A^-1, and A^-1 A = 1 for every symmetric root.
     entries = sp.symbols("a0:6", real=True)
     root = sp.Matrix(
         [
@@ -97,13 +98,13 @@ def energy_well_contents(
             [entries[2], entries[4], entries[5]],
         ]
     )
-    back = root.adjugate() * (root * root) * root.adjugate() - root.det() ** 2 * sp.eye(3)
+    back = root.adjugate() * root - root.det() * sp.eye(3)
     shown = "(R A)^T R A = A^2 with det > 0; and F A^-1 is orthogonal, of the sign of det F"
     isometric = identities(
         setting,
         {
             "isometry of R A": inside.T * inside - ROOT * ROOT,
-            "det R A - det A": inside.det() - ROOT.det(),
+            "det R A - det A": triple(*(tuple(inside[:, n]) for n in range(3))) - ROOT.det(),
             "orthogonality of F A^-1": back,
         },
         shown=shown,

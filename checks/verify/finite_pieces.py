@@ -149,9 +149,7 @@ def dini_metric(setting: Setting) -> Evidence:
     )
 
 
-def complete_is_unbounded(
-    setting: Setting, *, in_space: bool = True, power: int = 2
-) -> Evidence:
+def complete_is_unbounded(setting: Setting, *, in_space: bool = True, power: int = 2) -> Evidence:
     """Complete surfaces of negative curvature: those that are bounded are closed (Hopf and Rinow).
 
     in_space: whether only surfaces in R^3 count, of which none is closed; H^2 is unbounded.
@@ -205,13 +203,32 @@ def metric_extension(
     hole is that of the annulus |s| < 1 of a bobbin, along its throat. Without up_to_boundary the
     metric may grow at the boundary of the domain, as that of the Poincare disk does.
     """
+    parts = _outer_collar(setting, stiffness)
+    if not simply_connected:
+        parts["hole"] = _filled_hole()
+    if not up_to_boundary:
+        pole = hyperbolic_plane.boundary_pole(hyperbolic_plane.disk_metric()[0, 0])
+        parts["boundary"] = statement(
+            pole < 2,
+            shown="",
+            witness="the Poincare metric on the unit disk: its factor has a pole of order "
+            f"{pole} on the circle, so that the disk is complete and no metric of R^2 extends it",
+        )
+    return combined(
+        parts,
+        shown="across the outer boundary every metric with K < 0 extends: J stays positive while K "
+        "is made as negative as -16 C^2, J grows from then on, and K may decay at will",
+    )
+
+
+def _outer_collar(setting: Setting, stiffness: int) -> dict[str, Evidence]:
     j = collar.stiff_solution(sp.Integer(stiffness))
     rate = stiffness * collar.BOUND
     start, slope = collar.worst_start()
     rising, falling = collar.exponential_coefficients(j, stiffness)
-    x = sp.log(2)
-    at = x / rate
-    parts = {
+    # Where x = stiffness C t is log 2.
+    growing = sp.simplify(sp.diff(j, collar.T).subs(collar.T, sp.log(2) / rate)).is_positive
+    return {
         "equation": identities(
             setting,
             {
@@ -222,33 +239,21 @@ def metric_extension(
             shown="",
         ),
         "collar": statement(
-            bool(rising > 0 and falling > 0)
-            and bool(sp.simplify(sp.diff(j, collar.T).subs(collar.T, at)).is_positive),
+            bool(rising > 0 and falling > 0) and bool(growing),
             shown="",
             witness=f"with K = -({stiffness} C)^2 the metric breaks down or keeps narrowing: J has "
             f"the coefficients {rising}, {falling} of exp(x), exp(-x), x = {stiffness} C t",
         ),
     }
-    if not up_to_boundary:
-        pole = hyperbolic_plane.boundary_pole(hyperbolic_plane.disk_metric()[0, 0])
-        parts["boundary"] = statement(
-            pole < 2,
-            shown="",
-            witness="the Poincare metric on the unit disk: its factor has a pole of order "
-            f"{pole} on the circle, so that the disk is complete and no metric of R^2 extends it",
-        )
-    if not simply_connected:
-        throat = collar.total_curvature_of_parallel(radius(), S, 0)
-        needed = collar.curvature_of_filling(throat)
-        parts["hole"] = statement(
-            bool(needed < 0),
-            shown="",
-            witness="the annulus |s| < 1 of Minding's bobbin with kappa = 2, whose throat is a "
-            "closed geodesic: by Gauss-Bonnet a disk filling it has the total curvature "
-            f"{needed} > 0",
-        )
-    return combined(
-        parts,
-        shown="across the outer boundary every metric with K < 0 extends: J stays positive while K "
-        "is made as negative as -16 C^2, J grows from then on, and K may decay at will",
+
+
+def _filled_hole() -> Evidence:
+    throat = collar.total_curvature_of_parallel(radius(), S, 0)
+    needed = collar.curvature_of_filling(throat)
+    return statement(
+        bool(needed < 0),
+        shown="",
+        witness="the annulus |s| < 1 of Minding's bobbin with kappa = 2, whose throat is a "
+        "closed geodesic: by Gauss-Bonnet a disk filling it has the total curvature "
+        f"{needed} > 0",
     )

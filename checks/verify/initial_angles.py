@@ -64,3 +64,7 @@ def reference_crossing(name: str, *, digits: int = 20) -> Any:
     """First z with phi(z) = pi, as an mpf."""
     return painleve_reference.crossing(reference(name), lambda: +mp.pi, digits=digits)
 
+
+def reference_crossing_ball(name: str) -> Any:
+    """Ball of no width about the reference value of z*, a decimal of 25 digits."""
+    return arb(mp.nstr(reference_crossing(name, digits=25), 25))

@@ -292,19 +292,12 @@ def assembly(
     """
     tilts = [0, 0, 0, 0] if osculating else [1, -1, 1, -1]
     rises = [tangent_curves.rise(sp.Integer(2), sp.pi * sp.Rational(k, 2)) for k in tilts]
-    needed = tangent_curves.total_angle_needed(rises)
     angle = sp.Symbol("a", positive=True)
-    height = sp.tan(angle / 2) / 2 - tangent_curves.largest_height(angle)
     rays = _QUARTERS if cyclic else tuple(sp.pi * sp.Rational(k, 4) for k in (0, 1, 2, gap))
+    height = sp.tan(angle / 2) / 2 - tangent_curves.largest_height(angle)
     parts = {
         "largest height in a sector": identities(setting, {"height": height}, shown=""),
-        "room": statement(
-            bool(needed < 2 * sp.pi),
-            shown="",
-            witness="four curves of curvature 2, torsions 1, -1, 1, -1, tangents at 0, pi/2, pi, "
-            "3 pi/2, osculating planes normal to the common plane, bending up, down, up, down: "
-            f"they lie in four sectors, which need angles of sum {sp.N(needed, 5)} > 2 pi",
-        ),
+        "room": _room(tangent_curves.total_angle_needed(rises)),
     }
     if osculating:
         torsions = (-1, 1) if alternating else (-1, -1)
@@ -317,6 +310,17 @@ def assembly(
         shown="curves whose tangents follow each other with gaps below pi are the rays of a "
         "quadratic saddle, and their Frenet frames are data for the Lelieuvre formulae in each "
         "sector, consistent at the corner; that these have a solution see (prop:assembly)",
+    )
+
+
+def _room(needed: Any) -> Evidence:
+    """Whether sectors of these least angles, their sum being needed, fit round a point."""
+    return statement(
+        bool(needed < 2 * sp.pi),
+        shown="",
+        witness="four curves of curvature 2, torsions 1, -1, 1, -1, tangents at 0, pi/2, pi, "
+        "3 pi/2, osculating planes normal to the common plane, bending up, down, up, down: "
+        f"they lie in four sectors, which need angles of sum {sp.N(needed, 5)} > 2 pi",
     )
 
 
@@ -345,21 +349,16 @@ def bending_growth(setting: Setting, *, growth: str = "root") -> Evidence:
     k = sp.Symbol("k", positive=True)
     excess = sp.factor(k**2 + 1 / k**2 - 2 - (k - 1 / k) ** 2)
     claimed = printed.energy_growth(r, growth=growth)
-    e = sp.Symbol("e", positive=True)
-    size = sp.cancel(hyperbolic_plane.area(r).rewrite(sp.exp).subs(r, sp.log(e)))
-    cosh = (e + 1 / e) / 2
     ends = largest_on_disk(sp.cosh(r), sp.Integer(0), r)
-    # Both logarithms are multiples of R = log e up to bounded terms.
-    below, above = (
-        sp.limit(sp.cancel(bound / e**rate), e, sp.oo)
-        for bound, rate in ((2 * size, 1), (size * (cosh**2 + 1 / cosh**2), 3))
-    )
+    below, above = _limits_of_bounds(r)
     quotient = sp.limit(r / claimed, r, sp.oo)
     return combined(
         {
             "density": identities(setting, {"k^2 + k^-2 - 2 - (k - 1/k)^2": excess}, shown=""),
             "bobbin": identities(
-                setting, {"largest curvatures": [k_max - sp.cosh(r) ** 2 for k_max in ends]}, shown=""
+                setting,
+                {"largest curvatures": [k_max - sp.cosh(r) ** 2 for k_max in ends]},
+                shown="",
             ),
             "exponents": statement(
                 all(bool(0 < bound < sp.oo) for bound in (below, above)),
@@ -376,6 +375,15 @@ def bending_growth(setting: Setting, *, growth: str = "root") -> Evidence:
         shown="the least bending energy of a disk, over branched or over smooth immersions, lies "
         "between 4 pi (cosh R - 1) and 2 pi (cosh R - 1)(cosh^2 R + 1/cosh^2 R)",
     )
+
+
+def _limits_of_bounds(radius: sp.Symbol) -> tuple[Any, Any]:
+    """Limits of twice the area over exp(R), and of area (cosh^2 R + 1/cosh^2 R) over exp(3R)."""
+    e = sp.Symbol("e", positive=True)
+    size = sp.cancel(hyperbolic_plane.area(radius).rewrite(sp.exp).subs(radius, sp.log(e)))
+    cosh = (e + 1 / e) / 2
+    worst = size * (cosh**2 + 1 / cosh**2)
+    return sp.limit(sp.cancel(2 * size / e), e, sp.oo), sp.limit(sp.cancel(worst / e**3), e, sp.oo)
 
 
 def star_centres(setting: Setting, *, per_order: int = 2, smallest: int = 2) -> Evidence:

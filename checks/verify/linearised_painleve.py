@@ -65,7 +65,7 @@ def bessel_solution(
 ) -> Evidence:
     """Series of phi0 I_0 in the linearised equation, term by term, with the index k a symbol."""
     k = sp.Symbol("k", positive=True, integer=True)
-    forms = {"order": order, "sign": sign, "rate": rate}
+    forms: dict[str, Any] = {"order": order, "sign": sign, "rate": rate}
     ratio = printed.linear_coefficient(k, **forms) / printed.linear_coefficient(k - 1, **forms)
     first = printed.linear_coefficient(sp.Integer(0), **forms)
     known = bessel_expansions.origin_coefficients(11)

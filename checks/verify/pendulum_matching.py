@@ -124,6 +124,28 @@ def pendulum_order(
     return combined(parts, shown="with A = phi'(z*) the error is of order (z* - z)^2 near z*")
 
 
+def swing_of_the_separatrix(
+    setting: Setting, *, amplitude: int = 2, coefficient: str = "1/15"
+) -> Evidence:
+    """Undamped solution 4 arctan e^(z - z*) against pi - A sin(z* - z), in tau = z* - z."""
+    tau = sp.Symbol("tau", real=True)
+    form = printed.pendulum(-tau, sp.Integer(0), amplitude, sp)
+    solution = painleve_matching.separatrix().subs(painleve_matching.X, sp.exp(-tau))
+    derivatives = [solution - form]
+    for _ in range(5):
+        derivatives.append(sp.diff(derivatives[-1], tau))
+    values = [derivative.subs(tau, 0) for derivative in derivatives]
+    return identities(
+        setting,
+        {
+            "below tau^5": values[:5],
+            "tau^5": values[5] / sp.factorial(5) + sp.Rational(coefficient),
+        },
+        shown="pi - 2 sin(tau) exceeds the separatrix by tau^5/15 + O(tau^7): small for tau < 1, "
+        "although the swing of amplitude 2 is no small oscillation",
+    )
+
+
 def slow_law(setting: Setting, *, power: str = "1/2") -> Evidence:
     """Amplitude z^-power in the equation linearised about pi, with its friction."""
     exponent = sp.Rational(power)
@@ -251,4 +273,3 @@ def energy_correction(
 
 def _short(ball: Any) -> str:
     return str(ball.str(4, radius=False))
-

@@ -19,21 +19,37 @@ def _graph() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return (X, Y, sp.Function("w")(X, Y))
 
 
-def _by_jets(m: sp.Matrix) -> sp.Matrix:
-    """Replace the unknown functions and their derivatives by symbols of the same names."""
+def _at_contact(m: sp.Matrix) -> sp.Matrix:
+    """Value where the graph touches the plane of its coordinates, its derivatives being symbols.
+
+    Every point of a surface is such a point, for the graph over its tangent plane there.
+    """
     calls = m.atoms(sp.Derivative, sp.core.function.AppliedUndef)
-    return m.xreplace({call: sp.Symbol(str(call), real=True) for call in calls})
+    slopes = {call for call in calls if call.is_Derivative and call.derivative_count == 1}
+    return m.xreplace(
+        {
+            call: sp.Integer(0) if call in slopes else sp.Symbol(str(call), real=True)
+            for call in calls
+        }
+    )
 
 
 def displacement_scaling(
-    setting: Setting, *, in_plane: str = "1/2", out_of_plane: str = "1", terms: str = "strain"
+    setting: Setting,
+    *,
+    in_plane: str = "1/2",
+    out_of_plane: str = "1",
+    length: str = "0",
+    terms: str = "strain",
 ) -> Evidence:
     """Whether the scaled displacements balance two terms: both strains, or stretching and bending.
 
     terms: `strain` compares the linear with the quadratic strain, `energy` the stretching with the
     bending energy of a sheet of thickness h.
     """
-    exponents = printed.displacement_exponents(in_plane=in_plane, out_of_plane=out_of_plane)
+    exponents = printed.displacement_exponents(
+        in_plane=in_plane, out_of_plane=out_of_plane, length=length
+    )
 
     def order(name: str) -> sp.Expr:
         monomials = plate_energy.membrane_orders()[name]
@@ -41,8 +57,9 @@ def displacement_scaling(
 
     linear, quadratic = order("linear"), order("quadratic")
     shown = (
-        f"with displacements O(h^{exponents[0]}) in and O(h^{exponents[1]}) out of plane "
-        f"the linear strain is O(h^{linear}), the quadratic one O(h^{quadratic})"
+        f"with displacements O(h^{exponents[0]}) in and O(h^{exponents[1]}) out of plane, over "
+        f"lengths O(h^{exponents[2]}), the linear strain is O(h^{linear}), the quadratic one "
+        f"O(h^{quadratic})"
     )
     if terms == "strain":
         return statement(linear == quadratic, shown=shown, witness=shown)
@@ -100,11 +117,11 @@ def fvk_equations(setting: Setting, *, geometric: int = 1) -> Evidence:
         "each holds derivatives of all three displacements"
     )
     residuals = {"membrane": sp.Matrix(found[:2]) + sp.Matrix(membrane), "plate": found[2] - plate}
-    alone = [n for n, equation in enumerate(found) if not (equation.has(w) and equation.has(u))]
+    alone = [n for n, equation in enumerate(found) if not all(map(equation.has, (u, v, w)))]
     return combined(
         {
             "coupled": statement(
-                not alone, shown=shown, witness=f"equation {alone} holds one displacement alone"
+                not alone, shown=shown, witness=f"the equations {alone} lack a displacement"
             ),
             "divergence form": identities(setting, residuals, shown=shown),
         },
@@ -179,11 +196,11 @@ def willmore(setting: Setting, *, of_mean: str = "4", of_gauss: str = "-2") -> E
     """
     r = _graph()
     first, second = curvature.first_form(r, (X, Y)), curvature.second_form(r, (X, Y))
-    shape = curvature.shape_operator(first, second)
+    shape = curvature.shape_operator(_at_contact(first), _at_contact(second))
     density = printed.bending_density(
         shape.trace() / 2, shape.det(), of_mean=of_mean, of_gauss=of_gauss
     )
-    intrinsic = curvature.intrinsic_curvature(first, (X, Y))
+    intrinsic = _at_contact(sp.Matrix([[curvature.intrinsic_curvature(first, (X, Y))]]))[0]
     return identities(
         setting,
         {"density - 4 H^2 + 2 K[g]": density - shape.trace() ** 2 + 2 * intrinsic},
@@ -227,11 +244,12 @@ def gauss_curvature(setting: Setting, *, sign: int = 1) -> Evidence:
     """Whether K = kappa_1 kappa_2 is the curvature of the metric, on any graph."""
     r = _graph()
     first, second = curvature.first_form(r, (X, Y)), curvature.second_form(r, (X, Y))
-    pair = curvature.principal_pair(first, second)
+    pair = curvature.principal_pair(_at_contact(first), _at_contact(second))
     product = printed.gauss_curvature(*pair, sign=sign)
+    intrinsic = _at_contact(sp.Matrix([[curvature.intrinsic_curvature(first, (X, Y))]]))[0]
     return identities(
         setting,
-        {"K": product - curvature.intrinsic_curvature(first, (X, Y))},
+        {"K": product - intrinsic},
         shown="the product of the roots of det(h - k g) is R_1212 / det g on every graph",
     )
 
@@ -273,16 +291,18 @@ def kirchhoff_love(setting: Setting, *, lift: int = 1) -> Evidence:
     """
     t = sp.Symbol("t", real=True)
     r = _graph()
-    first, second = curvature.first_form(r, (X, Y)), curvature.second_form(r, (X, Y))
-    gram = plate_energy.kirchhoff_love_gram(r, (X, Y), t)
+    first, second = (
+        _at_contact(form(r, (X, Y))) for form in (curvature.first_form, curvature.second_form)
+    )
+    gram = _at_contact(plate_energy.kirchhoff_love_gram(r, (X, Y), t))
     scale = sp.diag(1, 1, lift)
     lifted = scale * gram.subs(t, lift * t) * scale
     parallel = plate_energy.parallel_metric(first, second, t)
     return identities(
         setting,
         {
-            "fibres": _by_jets(lifted[:, 2] - sp.Matrix([0, 0, 1])),
-            "parallel surface": _by_jets(lifted[:2, :2] - parallel),
+            "fibres": lifted[:, 2] - sp.Matrix([0, 0, 1]),
+            "parallel surface": lifted[:2, :2] - parallel,
         },
         shown="r + t N has Gram matrix (g (1 - t S)^2, 1): fibres stay normal and of unit speed",
     )

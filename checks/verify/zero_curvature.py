@@ -148,7 +148,7 @@ def curvatures(setting: Setting, *, sign_u: int = -1, sign_v: int = 1) -> Eviden
             "kappa^u": net.geodesic_curvature("u") - stated_u,
             "kappa^v": net.geodesic_curvature("v") - stated_v,
         }
-        if net.cos_phi.has(sp.Function("phi", real=True)):
+        if net.cos_phi.has(sp.core.function.AppliedUndef):
             found |= _curvature_conditions(net, "u", stated_u)
             found |= _curvature_conditions(net, "v", stated_v)
         return found
@@ -246,7 +246,8 @@ def constant_sigma(setting: Setting, *, first: int = 1) -> Evidence:
 
     The corner difference of phi minus the integral of sigma sin phi over first <= u <= 4,
     1 <= v <= 3 and over the rectangle opposite to it; sigma changes sign across u + v = 0, which
-    the rectangles meet where first < -1.
+    the rectangles meet where first < -1. With first = -2 it cuts off one corner, and the two
+    differ by -pi and pi.
     """
     front = pseudosphere()
     chi, x = front.chi, sp.Symbol("exp_chi", positive=True)
@@ -265,14 +266,20 @@ def constant_sigma(setting: Setting, *, first: int = 1) -> Evidence:
 
     parts = {"fields": identities(setting, residuals, shown="")}
     defects = {}
-    for rectangle in ((first, 4, 1, 3), (-4, -first, -3, -1)):
+    expected = (
+        ("constant sigma", (first, 4, 1, 3), sp.Integer(0)),
+        ("constant sigma", (-4, -first, -3, -1), sp.Integer(0)),
+        ("corner cut off", (-2, 4, 1, 3), -sp.pi),
+        ("corner cut off", (-4, 2, -3, -1), sp.pi),
+    )
+    for kind, rectangle, defect in expected:
         corners = corner_difference(invariant, rectangle, chi)
         integral = corner_difference(lambda _: primitive, rectangle, chi)
-        defects[f"u0, u1, v0, v1 = {rectangle}"] = corners - integral
+        defects[f"{kind}, u0, u1, v0, v1 = {rectangle}"] = corners - integral - defect
     parts["rectangles"] = identities(setting, defects, shown="")
     return combined(
         parts,
         shown="the corner difference of phi equals the integral of sigma sin phi "
         "on rectangles on which sigma is constant, on either side of the edge of the "
-        "pseudosphere",
+        "pseudosphere; across the edge, which cuts off a corner, they differ by pi",
     )
