@@ -19,6 +19,10 @@ _FUNCTIONS: dict[Any, Callable[[arb], arb]] = {
 Point = Mapping[sp.Expr, sp.Rational]
 
 
+class NoBallError(TypeError):
+    """An expression holds something of which there is no ball version."""
+
+
 def _power(base: arb, exponent: sp.Expr, point: Point) -> arb:
     if exponent.is_Integer:
         return base ** int(exponent)
@@ -31,7 +35,7 @@ def enclosure(expr: sp.Expr, point: Point) -> arb:
     """Ball that contains the value of expr at the point, at the precision in force.
 
     Symbols, and unknown functions with their derivatives, take their value from the point.
-    Raises KeyError for one that has none, TypeError for a function without a ball version.
+    Raises KeyError for one that has none, NoBallError for a function without a ball version.
     """
     if expr in point:
         return enclosure(point[expr], {})
@@ -55,7 +59,7 @@ def enclosure(expr: sp.Expr, point: Point) -> arb:
         return product
     if expr.func in _FUNCTIONS:
         return _FUNCTIONS[expr.func](*parts)
-    raise TypeError(f"no ball version of {expr.func.__name__}")
+    raise NoBallError(f"no ball version of {expr.func.__name__}")
 
 
 def unknowns(expr: sp.Expr) -> list[sp.Expr]:
@@ -85,8 +89,11 @@ def nonzero_point(
     symbols = unknowns(expr)
     for _ in range(tries):
         point = random_point(symbols, rng)
-        with ctx.workprec(bits):
-            value = enclosure(expr, point)
-            if value.is_finite() and value != 0:
-                return point, value.str(8, radius=False)
+        try:
+            with ctx.workprec(bits):
+                value = enclosure(expr, point)
+                if value.is_finite() and value != 0:
+                    return point, value.str(8, radius=False)
+        except NoBallError:
+            return None
     return None

@@ -131,8 +131,8 @@ def run(arguments: list[str]) -> int:
     except BadInput as error:
         _say(str(error))
         return 2
-    except BrokenPipeError:
-        # The reader has gone: keep the interpreter from complaining when it flushes.
+    except (BrokenPipeError, SystemExit):
+        # The reader has gone (click turns that into an exit of its own): no complaint at the flush.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Interrupted as error:

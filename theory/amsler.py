@@ -4,7 +4,8 @@ The problem is unchanged by (u, v) -> (c u, v/c), so that phi = F(x), x = u v, w
 
     (x F')' = x F'' + F' = sin F,  F(0) = phi_0.
 
-Coefficients are polynomials in the symbols S0 = sin phi_0 and C0 = cos phi_0.
+Coefficients are polynomials in the symbols S0 = sin phi_0 and C0 = cos phi_0. The corner angle and
+the coordinates are positive symbols: 0 < phi_0 < pi, u, v > 0.
 """
 
 from collections.abc import Sequence
@@ -14,8 +15,8 @@ import sympy as sp
 
 from theory.curvature import christoffel
 
-U, V = sp.symbols("u v", real=True)
-PHI0 = sp.Symbol("phi_0", real=True)
+U, V = sp.symbols("u v", positive=True)
+PHI0 = sp.Symbol("phi_0", positive=True)
 S0, C0 = sp.symbols("s_0 c_0", real=True)
 
 

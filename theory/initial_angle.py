@@ -55,7 +55,10 @@ def inside(phi0: Real) -> Any:
 
 
 def over(phi0: Real, value: Callable[[Real], Enclosure]) -> Enclosure:
-    """Enclosure of a monotone function of the initial angle, at one or over an interval of them."""
+    """Enclosure of a monotone function of the initial angle, at one or over an interval of them.
+
+    Over an interval it is the hull of the enclosures at its ends, its radius rounded up to 30 bits.
+    """
     if not is_interval(phi0):
         return value(phi0)
     first, second = (value(end).ball() for end in ends(phi0))

@@ -259,7 +259,7 @@ _REDUCTION = (
             Check(
                 name="bounds of the angle",
                 run=_V + "neighbourhood",
-                routes=("integral bounds from 0 <= sin <= 1", "four corner angles"),
+                routes=("chain rule on F(u v)", "theory.amsler:edge_of_regularity"),
                 mutants=(
                     Mutant(name="a strip about the axes", given={"shape": "strip"}),
                     Mutant(name="corner angle pi", given={"corner": "pi"}),
@@ -278,7 +278,8 @@ _REDUCTION = (
             r"the singular edge "
             "at a finite value of its parameter."
         ),
-        rests_on=("ex:bobbin",),
+        hypotheses=(r"$\kappa > 0$",),
+        rests_on=("ex:bobbin", "eq:bobbin_psfront", "3.1.bobbin-periodic-orbits"),
         checks=(
             Check(
                 name="length to the edge",
@@ -288,6 +289,12 @@ _REDUCTION = (
                     "bound of an integral",
                 ),
                 mutants=(Mutant(name="kappa^2 for kappa^2 + 1", given={"constant": 0}),),
+            ),
+            Check(
+                name="turning rate",
+                run="checks.verify.bobbin_orbit:finite_parameter",
+                routes=("bound on the inclination's rate", "theory.bobbin:bobbin_flow"),
+                mutants=(Mutant(name="pseudosphere", given={"surface": "pseudosphere"}),),
             ),
         ),
     ),
@@ -332,7 +339,8 @@ _EDGES = (
                 r"$u$-lines have $\kappa^u = -\varphi_u$, as (eq:sg) says"
             ),
             conclusion_survives=True,
-            remark=r"$\phi$ is printed for $\varphi$ as well",
+            remark=r"$\phi$ is printed for $\varphi$ as well; reading $v = 0$ for $u = 0$ in the "
+            r"sentence would do too, with $\kappa^u = -\partial_u \varphi$",
         ),
     ),
     Claim(

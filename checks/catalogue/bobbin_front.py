@@ -21,6 +21,11 @@ _UNITS = r"(used, not stated) $u$ and $v$ are arc lengths"
 
 _SIGNED = Mutant(name="sign dropped", given={"signed": False})
 _WRONG_SIDE = r"$s'<0$, e.g. $\kappa=6/7$, $s=5/9$, "
+_INHERITED = r"The step from (eq:bobbin) is right: the sign is that of (eq:bobbin) where $s'<0$."
+_PARTICLE = (
+    r"the unit mass obeys Newton's law $s''=-V'(s)$; (eq:econs) alone allows it to rest at "
+    r"$s=\pm L$ as well"
+)
 _EXCHANGE = (
     r"With $\theta=\kappa(u-v)/\sqrt{\kappa^2+1}$ and $z'\ge0$ the $u$-curves have torsion $+1$ "
     r"and the $v$-curves $-1$, against item (B); exchanging $u$ and $v$ here mends (eq:NFront), "
@@ -221,8 +226,7 @@ CLAIMS: tuple[Claim, ...] = (
         r"\sin\frac\varphi2$ and $\frac\alpha\kappa\cosh s=\frac{1+\sigma}2\sin\frac\varphi2+"
         r"\frac{1-\sigma}2\cos\frac\varphi2$.",
         hypotheses=(
-            r"$\sigma=\operatorname{sgn}s'$, as the paper sets it before (eq:NFront)",
-            r"$\varphi\in[0,\pi]$, $\cos\varphi=\sigma r_u\cdot r_v$",
+            r"$\sigma=\pm1$, $\varphi\in[0,\pi]$, $\cos\varphi=\sigma r_u\cdot r_v$",
             r"(used, not stated) $\alpha>0$",
         ),
         rests_on=("3.1.bobbin-metric-cases", "eq:def_phi"),
@@ -243,17 +247,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\frac{ds}{d\xi} = \frac{1+\sigma}{2} \cos \frac{\varphi}{2} "
-            r"+\frac{1-\sigma}{2} \sin \frac{\varphi}{2}",
-            corrected=r"\frac{ds}{d\xi} = \frac{1+\sigma}{2} \cos \frac{\varphi}{2} "
-            r"-\frac{1-\sigma}{2} \sin \frac{\varphi}{2}",
-            kind="false",
-            witness=r"$\sigma=\operatorname{sgn}s'=-1$: the left side is negative, the printed "
-            r"right side $\sin\frac\varphi2$ is positive for $0<\varphi<\pi$.",
+            printed=r"$\frac{ds}{d\xi}=\frac{1+\sigma}2\cos\frac\varphi2+\frac{1-\sigma}2\sin"
+            r"\frac\varphi2$",
+            corrected=r"the same where $s'\ge0$; in general the right side carries the factor "
+            r"$\operatorname{sgn}s'$",
+            kind="hypothesis",
+            witness=_WRONG_SIDE + r"either $\sigma$: $s'=-0.475\ldots$, the right side is "
+            r"$+0.475\ldots$",
             conclusion_survives=True,
-            remark=r"Comparing metrics gives the square of each equation only. The printed root "
-            r"is right for $s'>0$ with either $\sigma$; in general the right side carries the "
-            r"factor $\operatorname{sgn}s'$.",
+            remark=r"Comparing metrics gives the square of each equation only. With "
+            r"$\sigma=\operatorname{sgn}s'$, as it is set before (eq:NFront), the right side is "
+            r"$\frac{1+\sigma}2\cos\frac\varphi2-\frac{1-\sigma}2\sin\frac\varphi2$.",
         ),
     ),
     Claim(
@@ -380,7 +384,8 @@ CLAIMS: tuple[Claim, ...] = (
             witness=_WRONG_SIDE + r"either $\sigma$: $s'=-0.475\ldots$, the right side is "
             r"$+0.475\ldots$",
             conclusion_survives=True,
-            remark=r"The sign enters the two displays of the proof once each and cancels.",
+            remark=r"The sign enters the two displays of the proof once each and cancels. Or "
+            r"replace $\xi$ by $-\xi$ where $s'<0$: (eq:econs) and $\varphi''$ are unchanged.",
         ),
     ),
     Claim(
@@ -427,13 +432,14 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\frac{\cosh(s(\xi))}{\sqrt{\kappa^2+1}} \left(\frac{ds}{d\xi}\right) = "
-            r"\frac{1}{2} \sin \varphi",
-            corrected=r"\frac{\cosh(s(\xi))}{\sqrt{\kappa^2+1}} \left(\frac{ds}{d\xi}\right) = "
-            r"\frac{\mathrm{sgn}(s')}{2} \sin \varphi",
+            printed=r"$\frac{\cosh(s(\xi))}{\sqrt{\kappa^2+1}}\left(\frac{ds}{d\xi}\right)="
+            r"\frac12\sin\varphi$",
+            corrected=r"$\frac{\cosh(s(\xi))}{\sqrt{\kappa^2+1}}\left(\frac{ds}{d\xi}\right)="
+            r"\frac{\mathrm{sgn}(s')}2\sin\varphi$",
             kind="false",
             witness=_WRONG_SIDE + r"either $\sigma$: left $-0.418\ldots$, right $+0.418\ldots$",
             conclusion_survives=True,
+            remark=_INHERITED,
         ),
     ),
     Claim(
@@ -463,13 +469,13 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\frac{\sinh(s(\xi))}{\sqrt{\kappa^2+1}} = \ldots = \sigma "
-            r"\frac{\varphi'(\xi)}{2}",
-            corrected=r"\frac{\sinh(s(\xi))}{\sqrt{\kappa^2+1}} = \ldots = "
-            r"\mathrm{sgn}(s')\, \sigma \frac{\varphi'(\xi)}{2}",
+            printed=r"$\frac{\sinh(s(\xi))}{\sqrt{\kappa^2+1}}=\ldots=\sigma\frac{\varphi'(\xi)}2$",
+            corrected=r"$\frac{\sinh(s(\xi))}{\sqrt{\kappa^2+1}}=\ldots=\mathrm{sgn}(s')\,\sigma"
+            r"\frac{\varphi'(\xi)}2$",
             kind="false",
             witness=_WRONG_SIDE + r"either $\sigma$: left $+0.443\ldots$, right $-0.443\ldots$",
             conclusion_survives=True,
+            remark=_INHERITED,
         ),
     ),
     Claim(
@@ -521,38 +527,19 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after the proof of the Lemma, line 417",
         kind="sentence",
-        statement=r"The orbits $s(\xi)$ of (eq:econs) are bounded and periodic.",
-        hypotheses=(_KAPPA,),
+        statement=r"The orbits $s(\xi)$ of the unit mass with this energy are bounded and periodic.",
+        hypotheses=(_KAPPA, _PARTICLE),
         rests_on=("eq:econs", "3.1.bobbin-energy-conservation"),
         checks=(
             Check(
-                name="solutions of (eq:econs)",
-                run=_ORBIT + "orbits",
-                routes=("printed energy equation", "resting solutions s = +-L"),
-                mutants=(Mutant(name="potential reversed", given={"sign": -1}),),
-            ),
-            Check(
                 name="orbits of the unit mass",
                 run=_ORBIT + "orbits",
-                form="corrected",
-                given={"law": "newton"},
                 routes=("printed energy equation", _FLOW),
                 mutants=(
                     Mutant(name="energy only", given={"law": "energy"}),
                     Mutant(name="potential reversed", given={"sign": -1}),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed=r"bounded periodic orbits, for every solution $s(\xi)$ of (eq:econs)",
-            corrected=r"Bounded always; periodic if $s$ is not constant and $C^2$, i.e. obeys "
-            r"$s''=-V'(s)$",
-            kind="hypothesis",
-            witness=r"$s=L$ for $\xi\le0$, from there the descent to $-L$, then $s=-L$ for ever: "
-            r"$C^1$, a solution of (eq:econs) for all $\xi$, not periodic.",
-            conclusion_survives=True,
-            remark=r"The particle of the analogy obeys Newton's equation, the solutions in the "
-            r"Lemma need not: conservation of energy does not exclude rest at a turning point.",
         ),
     ),
     Claim(
@@ -578,35 +565,18 @@ CLAIMS: tuple[Claim, ...] = (
         where="after the proof of the Lemma, line 417",
         kind="sentence",
         statement=r"At the turning points $s'=0$ and $s''=-V'(s)\neq0$.",
-        hypotheses=(_KAPPA, r"$s$ solves (eq:econs)"),
+        hypotheses=(_KAPPA, _PARTICLE),
         rests_on=("3.1.bobbin-turning-points", "3.1.bobbin-energy-conservation"),
         checks=(
             Check(
-                name="solutions of (eq:econs)",
-                run=_ORBIT + "turning_force",
-                routes=("printed energy equation", "resting solutions s = +-L"),
-                mutants=(Mutant(name="twice the potential", given={"factor": "1"}),),
-            ),
-            Check(
                 name="orbits of the unit mass",
                 run=_ORBIT + "turning_force",
-                form="corrected",
-                given={"law": "newton"},
                 routes=("printed potential", _FLOW),
                 mutants=(
                     Mutant(name="energy only", given={"law": "energy"}),
                     Mutant(name="twice the potential", given={"factor": "1"}),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed=r"$s'=0$, $s''=-V'(s)\neq0$ at the turning points of solutions of (eq:econs)",
-            corrected=r"the same, for solutions that are not constant and $C^2$",
-            kind="hypothesis",
-            witness=r"$s\equiv L$ solves (eq:econs): $s''=0$, while $-V'(L)=-\kappa/\sqrt{"
-            r"\kappa^2+1}\neq0$.",
-            conclusion_survives=True,
-            remark=r"A definition by Newton's equation with $s(0)=0$, $s'(0)=\alpha$ would do.",
         ),
     ),
     Claim(
@@ -760,10 +730,10 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\cos\left(\frac{\kappa(u-v)}{\sqrt{\kappa^2+1}}\right), "
-            r"\sin\left(\frac{\kappa(u-v)}{\sqrt{\kappa^2+1}}\right)",
-            corrected=r"\cos\left(\frac{\kappa(v-u)}{\sqrt{\kappa^2+1}}\right), "
-            r"\sin\left(\frac{\kappa(v-u)}{\sqrt{\kappa^2+1}}\right)",
+            printed=r"$\cos\left(\frac{\kappa(u-v)}{\sqrt{\kappa^2+1}}\right)$, "
+            r"$\sin\left(\frac{\kappa(u-v)}{\sqrt{\kappa^2+1}}\right)$",
+            corrected=r"$\cos\left(\frac{\kappa(v-u)}{\sqrt{\kappa^2+1}}\right)$, "
+            r"$\sin\left(\frac{\kappa(v-u)}{\sqrt{\kappa^2+1}}\right)$",
             kind="misprint",
             witness=r"Throat, $s'>0$, $\theta=0$, $\kappa=1$: $r_u=(0,1,1)/\sqrt2$, $N=-e_1$, "
             r"$N_u=(0,-1,1)/\sqrt2=-N\times r_u$: torsion $+1$ along $u$ (for $-1$ it would be "
@@ -857,8 +827,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"N(u,v) \propto s'\left(-\frac{dz}{ds}\cos\theta, -\frac{dz}{ds}\sin\theta, "
-            r"\frac{\sinh s}{\kappa}\right) with a positive constant",
+            printed=r"$N(u,v)\propto s'\left(-\frac{dz}{ds}\cos\theta,-\frac{dz}{ds}\sin\theta,"
+            r"\frac{\sinh s}\kappa\right)$ with a positive factor",
             corrected=r"the same with $\theta=\kappa(v-u)/\sqrt{\kappa^2+1}$, the constant being "
             r"$2\alpha\rho$; with the printed $\theta$ it is $-2\alpha\rho$",
             kind="misprint",
@@ -955,8 +925,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\theta = \kappa(\kappa^2+1)^{-1/2}(u-v)",
-            corrected=r"\theta = \kappa(\kappa^2+1)^{-1/2}(v-u), here and in (eq:bobbin_psfront)",
+            printed=r"$\theta=\kappa(\kappa^2+1)^{-1/2}(u-v)$",
+            corrected=r"$\theta=\kappa(\kappa^2+1)^{-1/2}(v-u)$, here and in (eq:bobbin_psfront)",
             kind="misprint",
             witness=r"Throat, $\sigma=1$, $\theta=0$, $\kappa=1$: $\sigma r_u\times "
             r"r_v=(1,0,0)$, the printed $N^\omega$ is $(-1,0,0)$.",
@@ -1002,24 +972,6 @@ CLAIMS: tuple[Claim, ...] = (
             r"$N=(-1,0,0)$, $N_u=(0,-1,1)/\sqrt2$, $N_u\times N=(0,-1,-1)/\sqrt2=-r_u$.",
             conclusion_survives=True,
             remark=_EXCHANGE + r" Replacing $N$ by $-N$ changes nothing.",
-        ),
-    ),
-    Claim(
-        id="3.1.bobbin-edge-at-finite-parameter",
-        section="3.1",
-        where="after equation (PIII), line 461",
-        kind="sentence",
-        statement=r"Every $u$- and every $v$-asymptotic curve of the bobbin reaches the cuspidal "
-        r"edge at a finite value of its parameter.",
-        hypotheses=(_KAPPA, _ORBIT_HYPOTHESIS),
-        rests_on=("eq:bobbin_psfront", "3.1.bobbin-periodic-orbits"),
-        checks=(
-            Check(
-                name="turning rate",
-                run=_ORBIT + "finite_parameter",
-                routes=("bound on the inclination's rate", _FLOW),
-                mutants=(Mutant(name="pseudosphere", given={"surface": "pseudosphere"}),),
-            ),
         ),
     ),
 )

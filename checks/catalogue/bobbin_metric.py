@@ -6,8 +6,8 @@ _METRIC = "checks.verify.bobbin_metric:"
 _DISK = "checks.verify.bobbin_disk:"
 _ONE_BOBBIN = r"$\kappa>0$ and $|s|<L=\operatorname{arcsinh}\kappa$"
 _SUP = (
-    r"(used, not stated) $\mathcal E_\infty$ of a disk is the supremum over that disk of the "
-    r"absolute principal curvatures"
+    r"$\mathcal E_\infty$ of a disk is the supremum over that disk of the absolute principal "
+    r"curvatures (section 2)"
 )
 
 CLAIMS: tuple[Claim, ...] = (
@@ -59,7 +59,7 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="Example (ex:bobbin), line 358",
         kind="sentence",
-        statement=r"The induced metric is $g=ds^2+\rho^2\,d\theta^2$.",
+        statement=r"In $\mathbb R^3$ it has the first form $g=ds^2+\rho^2\,d\theta^2$.",
         hypotheses=(_ONE_BOBBIN,),
         rests_on=("ex:bobbin",),
         checks=(
@@ -76,7 +76,7 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="Example (ex:bobbin), line 358",
         kind="sentence",
-        statement=r"The Gauss curvature is $K=-\rho''/\rho=-1$.",
+        statement=r"$K=-\rho''/\rho$, and this is $-1$.",
         hypotheses=(_ONE_BOBBIN,),
         rests_on=("ex:bobbin", "3.1.bobbin-induced-metric"),
         checks=(
@@ -210,7 +210,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         erratum=Erratum(
-            printed=r"\mathcal{E}_\infty > \kappa > \sinh(R)",
+            printed=r"$\mathcal{E}_\infty > \kappa > \sinh(R)$",
             corrected=r"$\mathcal E_\infty\ge\kappa>\sinh R$ for disks that meet the throat; on "
             r"the disk centred there, equality exactly where $\kappa\ge\cosh R$",
             kind="false",

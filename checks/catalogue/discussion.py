@@ -138,7 +138,7 @@ CLAIMS: tuple[Claim, ...] = (
                 "has none"
             ),
         ),
-        waits_for=("3",),
+        rests_on=("3.bounded-embeds",),
     ),
     Claim(
         id="6.global-competition",
@@ -151,7 +151,6 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("as in the example of Minding's bobbin",),
         rests_on=("ex:bobbin", "eq:c2energy"),
-        waits_for=("3.1",),
     ),
     Claim(
         id="eq:conjecture",

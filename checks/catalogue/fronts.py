@@ -224,15 +224,17 @@ _FRONTS: tuple[Claim, ...] = (
         ),
         checks=(
             Check(
-                name="a normal that is not C^2",
+                name="normals that are not C^2",
                 run=_V + "generalises",
                 routes=(
                     "Moutard equation for an unknown function f(u)",
                     "orders of the derivatives of f at its kink",
+                    "theory.moutard:goursat_series",
                 ),
                 mutants=(
                     Mutant(name="no kink", given={"straight": True}),
                     Mutant(name="kink of power 2", given={"halves": 4}),
+                    Mutant(name="axis of one curvature", given={"curvature": 0}),
                 ),
             ),
         ),
@@ -270,7 +272,7 @@ _FRONTS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="plus sign in the second equation", given={"sign_v": 1}),
                     Mutant(name="N_uv not parallel to N", given={"harmonic": False}),
-                    Mutant(name="annulus admitted", given={"simply_connected": False}),
+                    Mutant(name="cylinder admitted", given={"simply_connected": False}),
                 ),
             ),
         ),

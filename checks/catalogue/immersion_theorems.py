@@ -43,8 +43,8 @@ CLAIMS: tuple[Claim, ...] = (
         where="theorem of Efimov, lines 191-193",
         kind="theorem",
         statement=(
-            r"No surface with $K \le -\delta < 0$ is $C^2$ immersed in $\mathbb R^3$ so as to be "
-            r"complete in the induced metric."
+            r"An immersed $C^2$ surface in $\mathbb R^3$ with $K \le -\delta < 0$ is never "
+            r"complete in the metric that it inherits."
         ),
         hypotheses=(
             r"$K \le -\delta < 0$",

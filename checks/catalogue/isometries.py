@@ -213,8 +213,8 @@ CLAIMS: tuple[Claim, ...] = (
         where="singular edges, line 186",
         kind="sentence",
         statement=(
-            r"Singular edges that are cuspidal are a generic feature of isometric immersions of "
-            r"$\mathbb H^2$ into $\mathbb R^3$."
+            r"Generic immersions of $\mathbb H^2$ into $\mathbb R^3$ as a surface of that metric "
+            r"have singular edges, and these are cuspidal."
         ),
         hypotheses=(
             (
@@ -249,8 +249,8 @@ CLAIMS: tuple[Claim, ...] = (
         where="singular edges, line 186",
         kind="sentence",
         statement=(
-            r"One of the principal curvatures diverges at a singular edge, so that $\mathcal "
-            r"E_\infty$ is unbounded near it."
+            r"Exactly one principal curvature is unbounded at a singular edge, so that $\mathcal "
+            r"E_\infty = \infty$ near it."
         ),
         checks=(
             Check(
@@ -271,7 +271,8 @@ CLAIMS: tuple[Claim, ...] = (
         where="singular edges, line 187",
         kind="sentence",
         statement=(
-            r"The Willmore energy diverges in any neighbourhood of a point on the singular edge."
+            r"$\int(\kappa_1^2+\kappa_2^2)\,dA = \infty$ over every neighbourhood of any point "
+            r"of a singular edge."
         ),
         hypotheses=(
             (

@@ -209,9 +209,9 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                r"$\mathcal E_2$ itself, all that the paper uses, is right; so is the factor $24/Y$ "
-                r"before $h^{-3}\mathcal E^h$ on isometries, with $\mathcal E^h$ of "
-                r"(eqn:finitethicknessenergy) in place of $I$"
+                r"$\mathcal E_2$ itself, all that the paper uses, is right; so is the factor "
+                r"$24/Y$ on isometries with $\mathcal E^h$ of (eqn:finitethicknessenergy) in place "
+                r"of $I$"
             ),
         ),
     ),

@@ -23,8 +23,8 @@ _INVARIANCE = Claim(
     section="3.1",
     where="section 3.1, item (E) (item:symmetries), line 281",
     kind="item",
-    statement=r"(eq:lelieuvre), (eq:lorentz_harmonic) and the signs of the torsions in (eq:frames) "
-    r"are invariant under each of $N \to -N$, $u \to -u$ and $v \to -v$.",
+    statement=r"Each of $N \to -N$, $u \to -u$ and $v \to -v$ preserves (eq:lelieuvre), "
+    r"(eq:lorentz_harmonic) and the torsions $-1$ and $+1$ of (eq:frames).",
     labels=("item:symmetries",),
     hypotheses=_NET,
     rests_on=("eq:frames", "eq:lelieuvre", "eq:lorentz_harmonic"),

@@ -167,8 +167,8 @@ _SINE_GORDON = (
         section="3.1",
         where="section 3.1, item (J), line 336",
         kind="sentence",
-        statement=r"(eq:sg) applies to open sets where $\omega(r_u, r_v)$ does not change sign "
-        r"only; integrated over a rectangle of which the edge of the pseudosphere cuts off one "
+        statement=r"(eq:sg) needs a constant $\sigma = \operatorname{sign}(\omega(r_u, r_v))$; "
+        r"integrated over a rectangle of which the edge of the pseudosphere cuts off one "
         r"corner it is off by $\pi$.",
         hypotheses=(*_NET[:1], r"$N = N^\omega$ continuous, $0 \le \varphi \le \pi$"),
         rests_on=("eq:sg",),

@@ -31,7 +31,7 @@ def edge_by_normal(setting: Setting, *, height: int = 0) -> Evidence:
 
 def edge_curvature_formula(setting: Setting, *, along: str = "u", sign: int = 1) -> Evidence:
     """Geodesic curvature of asymptotic lines against the derivative of phi, both sigma."""
-    phi = sp.Function("phi")(U, V)
+    phi = sp.Function("phi", positive=True)(U, V)
     index = 0 if along == "u" else 1
     claimed = printed.edge_curvature(phi, U, V, along=along, sign=sign)
     return identities(
@@ -59,7 +59,7 @@ def edge_derivative(setting: Setting, *, along: str = "u", edge: str = "u=0") ->
 
 def edge_acceleration(setting: Setting, *, along: str = "u", edge: str = "u=0") -> Evidence:
     """Vector r_uu or r_vv of an Amsler sector on an edge, by Christoffel symbols."""
-    phi = sp.Function("phi")(U, V)
+    phi = sp.Function("phi", positive=True)(U, V)
     series = amsler.goursat_series(ORDER).subs({amsler.S0: sp.sin(PHI0), amsler.C0: sp.cos(PHI0)})
     vector = amsler.accelerations(phi, sigma=1)[0 if along == "u" else 1]
     zero = {(U if edge == "u=0" else V): 0}

@@ -1,5 +1,7 @@
 """Checks of the asymptotic coordinates on pseudospherical surfaces of revolution (eq:bobbin)."""
 
+from itertools import product
+
 import sympy as sp
 
 from checks.evidence import Evidence, Setting
@@ -212,27 +214,29 @@ def half_angles(setting: Setting, *, factor: int = 2, exchanged: bool = False) -
 
 
 def first_order(setting: Setting, *, signed: bool = False, about: int = 1) -> Evidence:
-    """Both equations, sigma being sgn s' and cos phi = sigma r_u . r_v with phi in [0, pi].
+    """Both equations for both sigma, where cos phi = sigma r_u . r_v with phi in [0, pi].
 
     signed: whether the first right side is multiplied by sgn s'.
     """
     flow = bobbin_flow()
     r_u, r_v = asymptotic_tangents(flow)
+    inner = dot(r_u, r_v).subs(THETA, 0)
+    azimuthal = flow.alpha / KAPPA * sp.cosh(arc_length())
     residuals = {}
-    for branch in BRANCHES:
-        sigma = branch.slope
-        cos_phi = branch.value(sigma * dot(r_u, r_v).subs(THETA, 0))
+    for sigma, branch in product(SIGNS, BRANCHES):
+        cos_phi = branch.value(sigma * inner)
         cos_half, sin_half = (_root_of(1 + cos_phi), _root_of(1 - cos_phi))
         climb, turn = printed.first_order(
             cos_half, sin_half, sigma, along=branch.slope if signed else 1, about=about
         )
-        azimuthal = flow.alpha / KAPPA * sp.cosh(arc_length())
-        residuals[f"ds/dxi ({branch.name})"] = branch.value(flow.s_rate) - climb
-        residuals[f"(alpha/kappa) cosh s ({branch.name})"] = branch.value(azimuthal) - turn
+        name = f"sigma = {sigma:+d}, {branch.name}"
+        residuals[f"ds/dxi ({name})"] = branch.value(flow.s_rate) - climb
+        residuals[f"(alpha/kappa) cosh s ({name})"] = branch.value(azimuthal) - turn
     return identities(
         setting,
         residuals,
-        shown="on the four quarter periods, with the angle measured between r_u and r_v",
+        shown="both equations on the four quarter periods and for both sigma, with the angle "
+        "measured between r_u and r_v",
     )
 
 

@@ -176,7 +176,7 @@ def flips(setting: Setting, *, factor: str = "1") -> Evidence:
     factor: `1`, or `sgn s'`, by which the vector is multiplied.
     """
     flow = bobbin_flow()
-    r_u, r_v = asymptotic_tangents(flow)
+    r_u, r_v = (_placed(a) for a in asymptotic_tangents(flow))
     residuals = {"dz/ds at the edge": sp.sin(PSI).subs(PSI, 0)}
     for side in SIGNS:
         limits = []
@@ -202,20 +202,20 @@ def continuous_normal(setting: Setting, *, factor: str = "sgn s'") -> Evidence:
     factor: `sgn s'` or `1`.
     """
     flow = bobbin_flow()
-    r_u, r_v = asymptotic_tangents(flow)
+    r_u, r_v = (_placed(a) for a in asymptotic_tangents(flow))
     smooth = meridian_normal()
     residuals = {}
     for branch in BRANCHES:
         unit = unit_cross(r_u, r_v, flow, branch)
         signed = scaled(branch.slope if factor == "sgn s'" else 1, unit)
-        analytic = scaled(flow.sense, branch.vector(smooth))
+        analytic = scaled(flow.sense, branch.vector(_placed(smooth)))
         residuals[f"same side ({branch.name})"] = added(signed, analytic)
     mixed = added(
         flow.vector_u(flow.vector_v(smooth)), scaled(-1, flow.vector_v(flow.vector_u(smooth)))
     )
     return identities(
         setting,
-        {**residuals, "mixed derivatives": mixed},
+        {**residuals, "mixed derivatives": _placed(mixed)},
         shown="sgn(s') r_u x r_v/|r_u x r_v| is, on all quarters, one analytic unit vector: "
         "(z_s, -rho_s) in the meridian's plane, or its negative if d theta/du < 0; so it is C^{1M}",
     )

@@ -229,8 +229,11 @@ def _reaches_rest() -> bool:
     )
 
 
-def orbits(setting: Setting, *, law: str = "energy", sign: int = 1) -> Evidence:
-    """Whether all orbits are bounded and periodic; law: `energy` or `newton`."""
+def orbits(setting: Setting, *, law: str = "newton", sign: int = 1) -> Evidence:
+    """Whether all orbits of energy 1/2 are bounded and periodic.
+
+    law: `newton` for the orbits of the unit mass, `energy` for all solutions of eq:econs.
+    """
     if _resting_is_a_solution(law, "1/2") and _reaches_rest():
         return statement(
             False,
@@ -241,16 +244,19 @@ def orbits(setting: Setting, *, law: str = "energy", sign: int = 1) -> Evidence:
     flow = bobbin_flow()
     solution = printed.energy(arc_length(), flow.s_rate, KAPPA, sign=sign)
     around = arc_length().subs(PSI, PSI + 2 * sp.pi)
+    force = -sp.diff(printed.potential(S, KAPPA), S).subs(S, arc_length())
     return identities(
         setting,
         {
             "solution": solution,
+            "Newton": flow.along(flow.s_rate) - force,
             "period": around - arc_length(),
             "steady turning": flow.psi_rate**2 - (1 + KAPPA**2 * sp.cos(PSI) ** 2) / (KAPPA**2 + 1),
             "bound": KAPPA**2 - sp.sinh(arc_length()) ** 2 - (KAPPA * sp.sin(PSI)) ** 2,
         },
-        shown="sinh s = kappa cos psi, |psi'| >= 1/sqrt(kappa^2 + 1): psi runs through 2 pi in a "
-        "finite time, the period; the phase curve is closed, so every orbit is this one, shifted",
+        shown="sinh s = kappa cos psi is an orbit of the unit mass, |psi'| >= 1/sqrt(kappa^2 + 1): "
+        "psi runs through 2 pi in a finite time, the period; it fills the energy's level in the "
+        "phase plane, so that (uniqueness used) every orbit is this one, shifted",
     )
 
 
@@ -277,8 +283,11 @@ def turning_at_edge(setting: Setting, *, shift: int = 1) -> Evidence:
     )
 
 
-def turning_force(setting: Setting, *, law: str = "energy", factor: str = "1/2") -> Evidence:
-    """Whether s'' = -V'(s) != 0 wherever s' = 0; law: `energy` or `newton`."""
+def turning_force(setting: Setting, *, law: str = "newton", factor: str = "1/2") -> Evidence:
+    """Whether s'' = -V'(s) != 0 wherever s' = 0.
+
+    law: `newton` for the orbits of the unit mass, `energy` for all solutions of eq:econs.
+    """
     if _resting_is_a_solution(law, factor):
         return statement(
             False,
@@ -316,8 +325,8 @@ def global_solutions(setting: Setting, *, sign: int = 1) -> Evidence:
                 setting, {"1 - s'^2": (1 - squared).subs(S, length)}, shown="|s'| < 1"
             ),
         },
-        shown="|s| <= L and |s'| < 1 on every solution, so none ends at a finite xi; xi = u + v "
-        "takes all values on R^2",
+        shown="|s| <= L and |s'| < 1 on every solution, so (continuation of bounded solutions "
+        "used) none ends at a finite xi; xi = u + v takes all values on R^2",
     )
 
 

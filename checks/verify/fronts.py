@@ -10,6 +10,7 @@ from checks.printed import fronts as printed
 from checks.zero import vanishes
 from theory import fronts
 from theory.bobbin import bobbin_flow
+from theory.moutard import Series, curve_normals, goursat_series
 from theory.pseudospherical_revolution import PSI, asymptotic_tangents, meridian_normal
 from theory.ridge_functions import Ridge, Ridges, derivative, has_second, pulled_back
 from theory.vectors import Vector, added, cross, dot, scaled
@@ -170,7 +171,7 @@ def front_exists(
 ) -> Evidence:
     """Lelieuvre form of a weakly harmonic normal: closed, and exact on a simply connected D.
 
-    simply_connected: without it, the strip u + v in R with (u, v) = (u + 2 pi, v) is admitted too.
+    simply_connected: without it, the cylinder (u, v) = (u + 2 pi, v) is admitted too.
     """
     normal = fronts.generic_normal()
     n_u, n_v = vector_derivative(normal, U), vector_derivative(normal, V)
@@ -225,10 +226,30 @@ def immersion(setting: Setting, *, sign: int = -1, sign_v: int = -1) -> Evidence
     )
 
 
-def generalises(setting: Setting, *, halves: int = 3, straight: bool = False) -> Evidence:
-    """Weakly harmonic normal of class C^{1M} that is not C^2, on both sides of its kink.
+def _from_axes(curvature: int, *, order: int) -> Series:
+    """Goursat series of N from a u-axis of this curvature and a straight v-axis, at acos(3/5)."""
+    along_u = sp.Matrix([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    along_v = sp.Matrix([[3, 4, 0], [-4, 3, 0], [0, 0, 5]]) / 5
+    return goursat_series(
+        curve_normals(along_u, curvature, -1, order=order),
+        curve_normals(along_v, 0, 1, order=order),
+    )
+
+
+def _glue(curvature: int, *, order: int = 3) -> tuple[bool, bool]:
+    """Whether the series for curvature 0 and for this one agree on u = 0 in N and N_u, and in N_uu."""
+    first, second = _from_axes(0, order=order), _from_axes(curvature, order=order)
+    same = [all(first[i, j] == second[i, j] for j in range(order + 1)) for i in range(3)]
+    return same[0] and same[1], same[2]
+
+
+def generalises(
+    setting: Setting, *, halves: int = 3, straight: bool = False, curvature: int = 1
+) -> Evidence:
+    """Weakly harmonic normals of class C^{1M} that are not C^2, on both sides of the kink.
 
     The rank-one normal with u replaced by u + |u|^p, p = halves/2; straight: u itself, instead.
+    And normals of rank two whose u-axis has the curvature 0 for u < 0, and curvature for u > 0.
     """
     power = sp.Rational(halves, 2)
     kink = [] if straight else [_ridge(power, (1, 0))]
@@ -237,10 +258,17 @@ def generalises(setting: Setting, *, halves: int = 3, straight: bool = False) ->
     normal = (sp.cos(f - V), sp.sin(f - V), sp.Integer(0))
     parallel = cross(normal, vector_derivative(normal, U, V))
     smooth = all(has_second([term], 0) for term in kink)
+    meets, meets_twice = _glue(curvature)
     return statement(
-        all(vanishes(entry) for entry in parallel) and printed.is_c1m(terms) and not smooth,
+        all(vanishes(entry) for entry in parallel)
+        and printed.is_c1m(terms)
+        and meets
+        and not smooth
+        and not meets_twice,
         shown="N = (cos(f(u) - v), sin(f(u) - v), 0) is weakly harmonic for every increasing f of "
-        "class C^1, and not C^2 for f = u + |u|^(3/2) near 0: the class is larger than the smooth",
+        "class C^1, and not C^2 for f = u + |u|^(3/2) near 0; two normals of rank 2 whose u-axes "
+        "start with the curvatures 0 and 1 share N and N_u on u = 0 (to order 3 in v), not N_uu, "
+        "so that glued there they are no C^2 map",
         witness="this normal is C^2: nothing new",
     )
 
