@@ -6,23 +6,23 @@ BIN := $(VENV)/bin
 .PHONY: check test lint bench notes clean
 
 check: $(VENV)/.core
-	$(BIN)/kminusone check --tier full
+	$(BIN)/python -m checks check --tier full
 
 test: $(VENV)/.dev
 	$(BIN)/python -m pytest -n 2
 
 lint: $(VENV)/.dev
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
-	$(BIN)/mypy
+	$(BIN)/python -m ruff check .
+	$(BIN)/python -m ruff format --check .
+	$(BIN)/python -m mypy
 
 bench: $(VENV)/.dev
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-only
 
 # Runs the full suite, keeps its ledger and rebuilds every note from it.
 notes: $(VENV)/.core
-	$(BIN)/kminusone check --tier full --json notes/ledger.json
-	$(BIN)/kminusone notes
+	$(BIN)/python -m checks check --tier full --json notes/ledger.json
+	$(BIN)/python -m checks notes
 
 $(BIN)/pip:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -30,11 +30,11 @@ $(BIN)/pip:
 	$(PYTHON) -m venv $(VENV)
 
 $(VENV)/.core: $(BIN)/pip pyproject.toml
-	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
 	@touch $@
 
 $(VENV)/.dev: $(VENV)/.core
-	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev,cluster]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,cluster]'
 	@touch $@
 
 clean:

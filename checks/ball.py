@@ -1,6 +1,6 @@
 """Evaluate a sympy expression at a rational point in ball arithmetic."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from random import Random
 from typing import Any
 
@@ -62,6 +62,10 @@ def enclosure(expr: sp.Expr, point: Point) -> arb:
     raise NoBallError(f"no ball version of {expr.func.__name__}")
 
 
+def _ordered(expressions: Iterable[sp.Expr]) -> list[sp.Expr]:
+    return sorted(expressions, key=lambda e: (str(e), sp.default_sort_key(e)))
+
+
 def unknowns(expr: sp.Expr) -> list[sp.Expr]:
     """Free symbols, unknown functions and derivatives that a point must give a value."""
     calls = expr.atoms(sp.Derivative) | expr.atoms(sp.core.function.AppliedUndef)
@@ -73,26 +77,57 @@ def unknowns(expr: sp.Expr) -> list[sp.Expr]:
     for call in ordered:
         bare = bare.xreplace({call: dummies[call]})
     symbols = (bare.free_symbols - set(dummies.values())) | inside
-    return sorted(calls, key=str) + sorted(symbols, key=str)
+    return _ordered(calls) + _ordered(symbols)
 
 
 def random_point(symbols: list[sp.Expr], rng: Random) -> dict[sp.Expr, sp.Rational]:
-    """Random rational values in (0, 2), of either sign unless a symbol is assumed positive."""
-    values = {s: sp.Rational(rng.randint(1, 13), rng.randint(7, 13)) for s in symbols}
-    return {s: -q if not s.is_positive and rng.random() < 0.5 else q for s, q in values.items()}
+    """Random rational values in (0, 2) as the symbols' assumptions allow, else of either sign."""
+    values = {}
+    for s in symbols:
+        whole = s.is_integer
+        q = sp.Rational(rng.randint(1, 13), 1 if whole else rng.randint(7, 13))
+        flip = rng.random() < 0.5
+        if s.is_extended_nonpositive or (flip and not s.is_extended_nonnegative):
+            q = -q
+        values[s] = q
+    return values
+
+
+def _consistent(symbols: list[sp.Expr], point: Point) -> bool:
+    """Whether calls of one unknown function have certainly different arguments at the point.
+
+    Only then may their values be chosen independently: f(x^2 - 1) is f((x - 1)(x + 1)).
+    """
+    calls = [s for s in symbols if isinstance(s, sp.core.function.AppliedUndef)]
+    return all(
+        one.func != other.func
+        or any(enclosure(a - b, point) != 0 for a, b in zip(one.args, other.args, strict=True))
+        for n, one in enumerate(calls)
+        for other in calls[:n]
+    )
 
 
 def nonzero_point(
-    expr: sp.Expr, rng: Random, *, tries: int = 40, bits: int = 128
+    expr: sp.Expr,
+    rng: Random,
+    *,
+    where: Sequence[sp.Expr] = (),
+    tries: int = 40,
+    bits: int = 128,
 ) -> tuple[dict[sp.Expr, sp.Rational], str] | None:
-    """Rational point where expr is certainly not 0 and its value there as text, if one is found."""
-    symbols = unknowns(expr)
+    """Rational point where expr is certainly not 0 and its value there as text, if one is found.
+
+    where: expressions that are positive under the hypotheses, so that the point meets them.
+    """
+    symbols = unknowns(sp.Tuple(expr, *where))
     for _ in range(tries):
         point = random_point(symbols, rng)
         try:
             with ctx.workprec(bits):
                 value = enclosure(expr, point)
-                if value.is_finite() and value != 0:
+                if not (value.is_finite() and value != 0 and _consistent(symbols, point)):
+                    continue
+                if all(enclosure(condition, point) > 0 for condition in where):
                     return point, value.str(8, radius=False)
         except NoBallError:
             return None

@@ -72,6 +72,12 @@ class Check:
             self.form != "printed" or not self.given,
             f"check {self.name!r} calls itself printed but changes the printed formula",
         )
+        _require(
+            self.form in get_args(Form) and self.tier in get_args(Tier),
+            f"check {self.name!r}: unknown form {self.form!r} or tier {self.tier!r}",
+        )
+        tuples = type(self.routes) is tuple and type(self.mutants) is tuple
+        _require(tuples, f"check {self.name!r}: routes and mutants must be tuples")
         names = [mutant.name for mutant in self.mutants]
         _require(len(set(names)) == len(names), f"check {self.name!r} repeats a mutant's name")
         object.__setattr__(self, "given", _frozen(self.given))
@@ -87,6 +93,11 @@ class Erratum:
     witness: str
     conclusion_survives: bool
     remark: str = ""
+
+    def __post_init__(self) -> None:
+        told = self.printed.strip() and self.corrected.strip() and self.witness.strip()
+        _require(bool(told), "an erratum needs a printed form, a corrected one and a witness")
+        _require(self.kind in get_args(ErratumClass), f"unknown class of erratum {self.kind!r}")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,6 +138,8 @@ class Claim:
     def __post_init__(self) -> None:
         _require(self.section in SECTIONS, f"claim {self.id!r}: unknown section {self.section!r}")
         _require(self.kind in get_args(Kind), f"claim {self.id!r}: unknown kind {self.kind!r}")
+        _require(bool(self.id.strip()), "a claim needs an id")
+        _require(set(self.waits_for) <= set(SECTIONS), f"claim {self.id!r}: unknown waits_for")
         _require(bool(self.statement.strip()), f"claim {self.id!r} states nothing")
         for name in ("labels", "hypotheses", "rests_on", "checks", "waits_for"):
             sort = type(getattr(self, name)).__name__

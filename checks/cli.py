@@ -1,5 +1,6 @@
 """The command line `kminusone`: its commands, and what it says of bad input."""
 
+import errno
 import os
 import signal
 import sys
@@ -124,7 +125,8 @@ def run(arguments: list[str]) -> int:
     """Run the command line and return its exit code (design: 0, 1, 2, 3, 4 or 130)."""
     try:
         result = command_line.main(arguments, prog_name="kminusone", standalone_mode=False)
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
     except click.ClickException as error:
         _say(error.format_message())
         return 2
@@ -135,6 +137,12 @@ def run(arguments: list[str]) -> int:
         # The reader has gone (click turns that into an exit of its own): no complaint at the flush.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        if error.errno != errno.ENOSPC:
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _say(f"cannot write to stdout: {error.strerror}")
+        return 2
     except Interrupted as error:
         _say(str(error))
         return 130

@@ -46,6 +46,16 @@ class Evidence:
     witness: str = ""
 
     def __post_init__(self) -> None:
+        if self.outcome not in ("pass", "fail", "undecided"):
+            raise ValueError(f"unknown outcome {self.outcome!r}")
+        for name in ("shown", "residual", "enclosure", "witness"):
+            value = getattr(self, name)
+            if type(value) is not str:
+                raise TypeError(f"{name} must be text, not {type(value).__name__}")
+            value.encode()  # lone surrogates would stop the whole ledger from being written
+        for name in ("digits", "tried", "met"):
+            if type(getattr(self, name)) is not int and (name, self.digits) != ("digits", None):
+                raise TypeError(f"{name} must be an int")
         if self.grade not in GRADES:
             raise ValueError(f"unknown grade {self.grade!r}: expected one of {', '.join(GRADES)}")
         if self.met > self.tried or self.met < 0:

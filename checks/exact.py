@@ -1,6 +1,6 @@
 """Evidence from exact identities: proved by a normal form, or refuted at a rational point."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from random import Random
 from typing import Any
@@ -22,11 +22,13 @@ def _scalars(name: str, value: Any) -> list[tuple[str, sp.Expr]]:
     return [(name, sp.sympify(value).doit())]
 
 
-def _refutation(name: str, expr: sp.Expr, rng: Random, *, tries: int = 40) -> str:
+def _refutation(
+    name: str, expr: sp.Expr, rng: Random, where: Sequence[sp.Expr], *, tries: int = 40
+) -> str:
     """Say where expr is not 0, in rational numbers; empty where no such point was found."""
     if expr.is_Rational:
         return "" if expr == 0 else f"{name}: left minus right is {expr}"
-    found = nonzero_point(expr, rng, tries=tries)
+    found = nonzero_point(expr, rng, where=where, tries=tries)
     if found is None:
         return ""
     point, value = found
@@ -34,26 +36,34 @@ def _refutation(name: str, expr: sp.Expr, rng: Random, *, tries: int = 40) -> st
     return f"{name}: left minus right is {value}" + (f" at {at}" if at else "")
 
 
-def identities(setting: Setting, residuals: Mapping[str, Any], *, shown: str) -> Evidence:
+def identities(
+    setting: Setting,
+    residuals: Mapping[str, Any],
+    *,
+    shown: str,
+    where: Sequence[sp.Expr] = (),
+) -> Evidence:
     """Evidence that every residual (left side minus right side) vanishes identically.
 
-    residuals: name to scalar, tuple or matrix of sympy expressions. A false one is refuted by a
-    ball at a rational point; undecided where neither proof nor refutation is found. Raises
-    ValueError if empty.
+    residuals: name to scalar, tuple or matrix of sympy expressions, all parts real; where: what the
+    hypotheses make positive. A false residual is refuted by a ball at a rational point that meets
+    them; undecided where neither proof nor refutation is found. Raises ValueError if one is empty.
     """
     if not residuals:
         raise ValueError("no residual given: nothing to prove")
+    if any(isinstance(value, list | tuple) and not value for value in residuals.values()):
+        raise ValueError("a residual without entries: nothing to prove")
     rng = setting.random()
     scalars = [pair for name, value in residuals.items() for pair in _scalars(name, value)]
     found = partial(Evidence, grade="exact", tried=len(scalars), met=len(scalars))
     for name, expr in scalars:
-        if witness := _refutation(name, expr, rng, tries=_FIRST_TRIES):
+        if witness := _refutation(name, expr, rng, where, tries=_FIRST_TRIES):
             return found(outcome="fail", witness=witness, shown=shown)
     open_names = []
     for name, expr in scalars:
         if vanishes(expr):
             continue
-        if witness := _refutation(name, expr, rng):
+        if witness := _refutation(name, expr, rng, where):
             return found(outcome="fail", witness=witness, shown=shown)
         open_names.append(name)
     if open_names:
@@ -64,6 +74,9 @@ def identities(setting: Setting, residuals: Mapping[str, Any], *, shown: str) ->
 
 def statement(true: bool, *, shown: str, witness: str) -> Evidence:
     """Evidence from one exactly decided proposition; witness says what refutes it."""
+    # Equality, for sympy's true is no bool; an undecided relation equals neither.
+    if true not in (True, False):
+        raise TypeError(f"expected True or False, got {type(true).__name__}")
     if true:
         return Evidence(outcome="pass", grade="exact", residual="0", shown=shown)
     return Evidence(outcome="fail", grade="exact", witness=witness, shown=shown)

@@ -17,7 +17,7 @@ def write_whole(path: Path, text: str) -> None:
 
     Raises OSError where the folder is missing or cannot be written; the old file then stands.
     """
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".kminusone-", suffix=".part")
     try:
         with os.fdopen(handle, "w", encoding="utf-8") as stream:
             stream.write(text)

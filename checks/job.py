@@ -1,11 +1,15 @@
 """One check with its mutants, run in a process of its own: what goes in and what comes out."""
 
+import os
+import re
 import signal
+import threading
 import time
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from multiprocessing import parent_process
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -104,9 +108,28 @@ def _mutant_report(
     try:
         outcome: Outcome = function(setting, **mutation.given).outcome
         trace = ""
-    except Exception:
+    except BaseException:
         outcome, trace = "error", f"on mutant {mutation.name}:\n{traceback.format_exc()}"
     return MutantReport(name=mutation.name, near=mutation.near, outcome=outcome), trace
+
+
+def _writable(text: str) -> str:
+    return text.encode("utf-8", "backslashreplace").decode()
+
+
+def _stable(text: str) -> str:
+    """Text without the addresses of objects, which differ from run to run."""
+    return _writable(re.sub(r"0x[0-9a-f]+", "0x...", text))
+
+
+def _erred(error: BaseException, start: float) -> Report:
+    first = (str(error).splitlines() or [""])[0]
+    return Report(
+        outcome="error",
+        error=_stable(f"{type(error).__name__}: {first}"),
+        traceback=_writable("".join(traceback.format_exception(error))),
+        seconds=time.perf_counter() - start,
+    )
 
 
 def perform(job: Job) -> Report:
@@ -117,14 +140,8 @@ def perform(job: Job) -> Report:
         evidence = function(job.setting, **job.given)
         if not isinstance(evidence, Evidence):
             raise TypeError(f"{job.run} returned {type(evidence).__name__}, expected Evidence")
-    except Exception as error:
-        first = (str(error).splitlines() or [""])[0]
-        return Report(
-            outcome="error",
-            error=f"{type(error).__name__}: {first}",
-            traceback=traceback.format_exc(),
-            seconds=time.perf_counter() - start,
-        )
+    except BaseException as error:  # SystemExit too is the check's error, with its traceback
+        return _erred(error, start)
     pairs = [_mutant_report(function, mutation, job.setting) for mutation in job.mutations]
     return Report(
         outcome=evidence.outcome,
@@ -138,8 +155,23 @@ def perform(job: Job) -> Report:
 def child(job: Job, connection: Connection) -> None:
     """Entry of the child process: perform the job and send its report; the parent interrupts."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    connection.send(perform(job))
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    os.dup2(2, 1)  # what a check prints must not mix with the result of the parent
+    start = time.perf_counter()
+    report = perform(job)
+    try:
+        connection.send(report)
+    except Exception as error:  # evidence that cannot be pickled
+        connection.send(_erred(error, start))
     connection.close()
+
+
+def _end_with_parent() -> None:
+    """End this process once the parent is gone, however it went."""
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def as_plain(evidence: Evidence | None) -> dict[str, Any]:

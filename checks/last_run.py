@@ -30,11 +30,13 @@ def _read(path: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
     try:
-        data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    except (json.JSONDecodeError, UnicodeDecodeError):
-        click.echo(f"warning: {path} is not a ledger: it is ignored", err=True)
-        return None
-    return data if "claims" in data else None
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        data = None
+    if isinstance(data, dict) and str(data.get("schema", "")).startswith("kminusone/ledger/"):
+        return data
+    click.echo(f"warning: {path} is not a ledger: it is ignored", err=True)
+    return None
 
 
 def last_run() -> dict[str, Any] | None:

@@ -24,6 +24,16 @@ def results_of(claim: Claim, reports: Mapping[Key, Report]) -> dict[str, Result]
     return found
 
 
+def believed(claim: Claim, reports: Mapping[Key, Report]) -> dict[str, Result]:
+    """Results from which the verdict is drawn: a broken check decides nothing, whatever it says."""
+    return {
+        name: Result(outcome="undecided")
+        if reports.get((claim.id, name), NOT_RUN).broken
+        else result
+        for name, result in results_of(claim, reports).items()
+    }
+
+
 def ran(claims: Sequence[Claim], reports: Mapping[Key, Report]) -> dict[str, dict[str, Result]]:
     """Results of the checks that ran, by claim and check."""
     return {
@@ -91,7 +101,7 @@ def _citation_entry(claim: Claim) -> dict[str, Any] | None:
 def _claim_entry(
     claim: Claim, registry: Registry, reports: Mapping[Key, Report], pins: Pins, seed: int
 ) -> dict[str, Any]:
-    found, grade = verdict(claim, results_of(claim, reports))
+    found, grade = verdict(claim, believed(claim, reports))
     wanted = expected(claim, pins)
     return {
         "id": claim.id,
@@ -117,8 +127,12 @@ def _claim_entry(
 
 
 def _weaken(entries: Sequence[dict[str, Any]], registry: Registry, pins: Pins) -> None:
-    """Fill in weakened_by: verdicts of this run where there are any, else the pinned ones."""
-    found: dict[str, Verdict] = {entry["id"]: entry["verdict"] for entry in entries}
+    """Fill in weakened_by: verdicts of this run where all checks ran, else the pinned ones."""
+    found: dict[str, Verdict] = {
+        entry["id"]: entry["verdict"]
+        for entry in entries
+        if all(check["outcome"] != "not_run" for check in entry["checks"])
+    }
     for claim in registry.claims:
         if claim.id not in found and (wanted := expected(claim, pins)):
             found[claim.id] = wanted[0]

@@ -17,6 +17,11 @@ def require_writable(name: str | None) -> None:
     if name is None or name == STDOUT:
         return
     path = Path(name)
+    if not name:
+        raise BadInput("cannot write to a file without a name")
+    if path.exists() and not path.is_file() and not path.is_dir():
+        return  # a pipe or a device: written to, never replaced
+    path = path.resolve()
     if path.is_dir():
         raise BadInput(f"cannot write {name}: it is a folder, name a file in it")
     if not path.parent.is_dir():
@@ -34,8 +39,12 @@ def write_text(name: str, text: str) -> None:
     if name == STDOUT:
         click.echo(text, nl=False)
         return
+    path = Path(name)
     try:
-        write_whole(Path(name), text)
+        if path.exists() and not path.is_file():
+            path.write_text(text, encoding="utf-8")
+        else:
+            write_whole(path.resolve(), text)
     except OSError as error:
         raise BadInput(f"cannot write {name}: {error.strerror or error}") from error
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from checks.claim import Claim
+from checks.errors import BadInput
 from checks.evidence import Grade
 from checks.registry import Registry
 from checks.verdict import Result, Verdict, verdict
@@ -19,11 +20,14 @@ def read_pins(path: Path = FILE) -> dict[str, dict[str, Result]]:
     """Return the pins by claim and check; none where the file is missing."""
     if not path.is_file():
         return {}
-    data = json.loads(path.read_text(encoding="utf-8"))
-    return {
-        claim: {check: Result(outcome=pin[0], grade=pin[1]) for check, pin in checks.items()}
-        for claim, checks in data.items()
-    }
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        return {
+            claim: {check: Result(outcome=pin[0], grade=pin[1]) for check, pin in checks.items()}
+            for claim, checks in data.items()
+        }
+    except (ValueError, AttributeError, TypeError, LookupError) as error:
+        raise BadInput(f"{path} holds no pins: restore it or run `kminusone pin`") from error
 
 
 def as_plain(pins: Pins, registry: Registry) -> dict[str, Any]:

@@ -6,6 +6,7 @@ rational values refutes it, and so does an expression that vanishes.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from random import Random
 
 import sympy as sp
@@ -18,6 +19,11 @@ from checks.zero import vanishes
 _HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.sech, sp.csch, sp.coth)
 
 
+@cache
+def _growth(x: sp.Symbol) -> sp.Symbol:
+    return sp.Dummy(f"t_{x.name}", positive=True)
+
+
 def _without_exponentials(expr: sp.Expr) -> sp.Expr:
     """Write each e^(n x), n an integer, as (1 + t)^n with t > 0 where x > 0."""
     expr = sp.expand(expr.rewrite(_HYPERBOLIC, sp.exp), power_exp=True, mul=False)
@@ -25,7 +31,7 @@ def _without_exponentials(expr: sp.Expr) -> sp.Expr:
     for call in expr.atoms(sp.exp):
         n, x = call.args[0].as_coeff_Mul(rational=True)
         if n.is_Integer and x.is_Symbol:
-            calls[call] = (1 + sp.Symbol(f"t_{x.name}", positive=True)) ** n
+            calls[call] = (1 + _growth(x)) ** n
     return expr.xreplace(calls)
 
 

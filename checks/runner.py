@@ -1,9 +1,13 @@
 """Run jobs, each in a child process of its own, so that a crash or a kill costs one check."""
 
 import multiprocessing
+import os
+import signal
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from multiprocessing import forkserver, resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
@@ -11,7 +15,7 @@ from checks.errors import Interrupted
 from checks.job import Job, Report, child
 
 # Imported once by the fork server; a child then starts in milliseconds.
-PRELOADED = ["sympy", "mpmath", "flint", "checks.cli", "checks.job", "checks.exact"]
+PRELOADED = ["mpmath", "flint", "checks.cli", "checks.job", "checks.exact", "checks.preloaded"]
 
 Key = tuple[str, str]
 
@@ -35,12 +39,36 @@ class Watcher:
     ended: Callable[[Job, Report], None] = lambda job, report: None
 
 
+def _serve() -> None:
+    """Start the fork server with SIGINT blocked, as its children inherit: the parent interrupts."""
+    forkserver.set_forkserver_preload(PRELOADED)
+    resource_tracker.ensure_running()  # first, for it unblocks SIGINT
+    # Python 3.11 starts the server with the working folder first on its path: a folder `checks`
+    # there would be loaded instead of the one that runs here.
+    path = os.pathsep.join(entry or os.getcwd() for entry in sys.path)
+    wanted = {"PYTHONPATH": path, "PYTHONSAFEPATH": "1"}
+    kept = {name: os.environ.get(name) for name in wanted}
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    os.environ.update(wanted)
+    try:
+        forkserver.ensure_running()
+    finally:
+        for name, value in kept.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
 def _start(job: Job, timeout: float) -> Running:
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(PRELOADED)
     ours, theirs = context.Pipe(duplex=False)
     process = context.Process(target=child, args=(job, theirs), daemon=True)
-    process.start()
+    try:
+        process.start()
+    except EOFError as error:  # click would take it for an interrupt
+        raise RuntimeError("the fork server died while it started: see above") from error
     theirs.close()
     now = time.monotonic()
     return Running(job=job, process=process, connection=ours, started=now, deadline=now + timeout)
@@ -61,9 +89,12 @@ def _collect(running: Running, timeout: float) -> Report | None:
         try:
             report: Report = running.connection.recv()
         except EOFError:
-            running.process.join()
+            _end(running)
             return _lost(running, f"the child process died ({_ending(running.process.exitcode)})")
-        running.process.join()
+        except Exception as error:  # cut off in mid-message, or no Report at all
+            _end(running)
+            return _lost(running, f"the child's report cannot be read ({type(error).__name__})")
+        _end(running)
         return report
     if not running.process.is_alive() and not running.connection.poll():
         return _lost(running, f"the child process died ({_ending(running.process.exitcode)})")
@@ -72,6 +103,14 @@ def _collect(running: Running, timeout: float) -> Report | None:
         running.process.join()
         return _lost(running, f"timed out after {timeout:g} s")
     return None
+
+
+def _end(running: Running, grace: float = 2.0) -> None:
+    """Await a child that has no more to say; kill one that lingers (a thread, an exit hook)."""
+    running.process.join(grace)
+    if running.process.is_alive():
+        running.process.kill()
+        running.process.join()
 
 
 def _ending(code: int | None) -> str:
@@ -97,6 +136,7 @@ def run(
     waiting, active = list(jobs), list[Running]()
     reports: dict[Key, Report] = {}
     try:
+        _serve()
         while waiting or active:
             while waiting and len(active) < workers:
                 active.append(_start(waiting.pop(0), timeout))

@@ -37,6 +37,22 @@ def _outcomes(checks: Iterable[Check], results: Mapping[str, Result]) -> set[Out
     return {results[check.name].outcome for check in checks}
 
 
+def _refuted(
+    failed: set[str],
+    printed: list[Check],
+    corrected: list[Check],
+    results: Mapping[str, Result],
+) -> tuple[Verdict, Grade | None]:
+    """Verdict where some parts of the printed form failed: all of them must be mended to count."""
+    mended = {check.part for check in corrected}
+    if not failed <= mended or "fail" in _outcomes(corrected, results):
+        return "fails", _grade(printed, results, "fail")
+    standing = [*corrected, *(check for check in printed if check.part not in failed)]
+    if _outcomes(standing, results) == {"pass"}:
+        return "corrected", _grade(standing, results, "pass")
+    return "undecided", None
+
+
 def verdict(claim: Claim, results: Mapping[str, Result]) -> tuple[Verdict, Grade | None]:
     """Verdict and grade of a claim, from the result of each of its checks by name.
 
@@ -51,12 +67,9 @@ def verdict(claim: Claim, results: Mapping[str, Result]) -> tuple[Verdict, Grade
             return "unchecked", None
         sound = _outcomes(claim.checks, results) <= {"pass"}
         return ("cited", None) if sound else ("undecided", None)
-    if "fail" in _outcomes(printed, results):
-        if corrected and _outcomes(corrected, results) == {"pass"}:
-            return "corrected", _grade(corrected, results, "pass")
-        if not corrected or "fail" in _outcomes(corrected, results):
-            return "fails", _grade(printed, results, "fail")
-        return "undecided", None
+    failed = {check.part for check in printed if results[check.name].outcome == "fail"}
+    if failed:
+        return _refuted(failed, printed, corrected, results)
     if printed and _outcomes(printed, results) == {"pass"}:
         return "holds", _grade(printed, results, "pass")
     return "undecided", None

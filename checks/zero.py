@@ -28,7 +28,7 @@ def _in_common_units(calls: list[sp.Expr], prefix: str) -> dict[sp.Expr, tuple[s
     bases = _ordered({base for _, base in split.values()})
     units = {
         base: (
-            sp.Symbol(f"{prefix}{index}", real=True),
+            sp.Dummy(f"{prefix}{index}", real=base.is_extended_real or None),
             lcm(*(int(q.q) for q, other in split.values() if other == base)),
         )
         for index, base in enumerate(bases)
@@ -50,7 +50,7 @@ def _replace_calls(
 def _half_tangent(call: sp.Expr, t: sp.Symbol, n: int) -> sp.Expr:
     """Sine or cosine of n x through t = tan(x/2)."""
     if abs(n) > _MOST_MULTIPLE:
-        return sp.Symbol(f"_{call}", real=True)
+        return sp.Dummy(str(call), real=t.is_real)
     power = sp.expand((1 + sp.I * t) ** (2 * abs(n)))
     real, imaginary = power.as_real_imag()
     sign = -1 if n < 0 else 1
@@ -81,7 +81,7 @@ def _opaque(expr: sp.Expr) -> sp.Expr:
         expr.atoms(sp.core.function.AppliedUndef)
     )
     for index, call in enumerate(calls):
-        expr = expr.xreplace({call: sp.Symbol(f"_f{index}", real=True)})
+        expr = expr.xreplace({call: sp.Dummy(f"_f{index}", real=True)})
     return expr
 
 
@@ -92,8 +92,11 @@ def _roots(expr: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Symbol, sp.Expr]]]:
         p for p in expr.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2 and not _root(p.base)
     ):
         base = powers[0].base
-        symbol = sp.Symbol(f"_r{len(radicands)}", positive=True)
-        radicands.append((symbol, base))
+        known = [s for s, radicand in radicands if radicand == base]
+        # A root may be 0, so it is not declared positive: sign(sqrt(x)) is not 1.
+        symbol = known[0] if known else sp.Dummy("_r", nonnegative=base.is_extended_real or None)
+        if not known:
+            radicands.append((symbol, base))
         expr = expr.xreplace({p: symbol ** (2 * p.exp) for p in powers if p.base == base})
     return expr, radicands
 
@@ -126,7 +129,11 @@ def vanishes(expr: Any) -> bool:
     expr = sp.sympify(expr)
     if not isinstance(expr, sp.Expr) or expr.is_Matrix:
         raise TypeError(f"expected a scalar expression, got {type(expr).__name__}")
-    expr = _replace_calls(_elementary(expr), (sp.sin, sp.cos), "_t", _half_tangent)
+    expr = _opaque(_elementary(expr))
+    expr = _replace_calls(expr, (sp.sin, sp.cos), "_t", _half_tangent)
     expr = _replace_calls(expr, (sp.exp,), "_e", _exponential)
-    expr, radicands = _roots(_opaque(expr))
-    return bool(_reduce(expr, radicands) == 0)
+    expr, radicands = _roots(expr)
+    try:
+        return bool(_reduce(expr, radicands) == 0)
+    except sp.PolynomialError:  # a root inside a logarithm, say
+        return False

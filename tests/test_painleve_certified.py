@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
 from flint import arb
@@ -91,7 +92,7 @@ def test_diagonal_contains_a_quadrature_of_odefun():
 
 
 def test_small_z_by_the_terms_found_by_hand():
-    """phi = phi0 + s x + s c x^2/4 + (s c^2/4 - s^3/2) x^3/9 + O(x^4), s, c those of phi0."""
+    """Phi = phi0 + s x + s c x^2/4 + (s c^2/4 - s^3/2) x^3/9 + O(x^4), s, c those of phi0."""
     z = Fraction(1, 1000)
     x = z**2 / 4
     with working(200):
@@ -129,7 +130,7 @@ def test_beyond_the_crossing_the_angle_oscillates_about_pi():
         assert angle.is_accurate_to(30)
     with working(200):
         energies.append(painleve.angle(pi_part(100), 200, digits=30).ball().cos())
-    assert all(first > second for first, second in zip(energies, energies[1:], strict=False))
+    assert all(first > second for first, second in pairwise(energies))
     assert energies[-1] > -1
 
 
@@ -177,7 +178,7 @@ def test_levels_next_to_the_first_maximum():
 
 
 def test_next_to_pi_the_deviation_is_a_bessel_function():
-    """phi = pi - e J_0(z) + O(e^3), so phi = pi at the first zero of J_0, its maximum at J_1's."""
+    """Phi = pi - e J_0(z) + O(e^3), so phi = pi at the first zero of J_0, its maximum at J_1's."""
     deviation = Fraction(1, 10**30)
 
     def phi0():

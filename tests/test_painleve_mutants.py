@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 from flint import arb
 
-from theory import majorant, painleve_origin, painleve_reference, painleve_step
+from theory import bounded_series, majorant, painleve_reference, painleve_step
 from theory.majorant import SineBound, State
 from theory.painleve_origin import origin_piece
 from theory.painleve_step import regular_piece
@@ -19,6 +19,8 @@ BITS = 200
 REFERENCE_DIGITS = 30
 REFERENCE_ERROR = arb("1e-27")
 PHI0 = Fraction(1)
+SLOW = Fraction(1, 10**6)
+"""Initial angle whose solution is small at z = 12 and grows like exp(z): its sine too."""
 SMALL = Fraction(1, 32)
 """Start of the smallest disk: there the first bounds are nearly attained."""
 
@@ -82,28 +84,21 @@ def test_the_pieces_enclose_the_reference_at_any_order(order: int):
     assert not origin_gap(order)
     assert not origin_gap(order, until=SMALL)
     assert not step_gap(order)
-    assert not step_gap(order, phi0=Fraction(1, 30), z=Fraction(5))
+    assert not step_gap(order, phi0=Fraction(1, 30), z=Fraction(4))
+    assert not step_gap(order, phi0=SLOW, z=Fraction(12))
 
 
 def test_half_the_tail_at_the_origin_is_caught(monkeypatch: pytest.MonkeyPatch):
     assert not origin_gap(1, until=SMALL)
-    from theory import bounded_series
-
-    monkeypatch.setattr(
-        bounded_series, "geometric_tail", halved(bounded_series.geometric_tail)
-    )
+    monkeypatch.setattr(bounded_series, "geometric_tail", halved(bounded_series.geometric_tail))
     assert origin_gap(1, until=SMALL)
 
 
 def test_half_the_tail_of_a_step_is_caught(monkeypatch: pytest.MonkeyPatch):
-    from theory import bounded_series
-
     small_disks(monkeypatch)
     short = Fraction(1, 100_000)
     assert not step_gap(1, length=short)
-    monkeypatch.setattr(
-        bounded_series, "geometric_tail", halved(bounded_series.geometric_tail)
-    )
+    monkeypatch.setattr(bounded_series, "geometric_tail", halved(bounded_series.geometric_tail))
     assert step_gap(1, length=short)
 
 
@@ -114,18 +109,18 @@ def test_no_tail_at_all_is_caught(monkeypatch: pytest.MonkeyPatch, order: int):
     assert step_gap(order)
 
 
-@pytest.mark.parametrize("order", [2, 4, 8])
+@pytest.mark.parametrize("order", [4, 8])
 def test_the_sine_at_the_centre_is_no_a_priori_enclosure(
     monkeypatch: pytest.MonkeyPatch, order: int
 ):
     """Take S(0) for S(u), as if |sin phi| were largest at the centre of the disk."""
     monkeypatch.setattr(SineBound, "__call__", lambda self, _: self.sine)
     assert origin_gap(order, phi0=Fraction(1, 30))
-    assert step_gap(order, phi0=Fraction(1, 30), z=Fraction(6))
+    assert step_gap(order, phi0=SLOW, z=Fraction(12))
 
 
-@pytest.mark.parametrize("order", [2, 4, 8])
-def test_a_candidate_that_is_not_proved_is_no_a_priori_enclosure(
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_a_disk_without_a_proof_is_no_a_priori_enclosure(
     monkeypatch: pytest.MonkeyPatch, order: int
 ):
     """Accept the first candidate of each step, whose rate has not grown."""
@@ -133,10 +128,8 @@ def test_a_candidate_that_is_not_proved_is_no_a_priori_enclosure(
     def unproved(state, s, clock, _force):
         return State(s=s, u=(state.u + clock * state.v).upper(), v=state.v)
 
-    monkeypatch.setattr(painleve_origin, "grown", unproved)
     monkeypatch.setattr(painleve_step, "grown", unproved)
-    assert origin_gap(order, phi0=Fraction(1, 30))
-    assert step_gap(order, phi0=Fraction(1, 30), z=Fraction(6))
+    assert step_gap(order, phi0=Fraction(1, 30), z=Fraction(4))
 
 
 def test_the_first_disk_is_refused_where_its_bound_is_not_kept():

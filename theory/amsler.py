@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
+from sympy.polys.rings import PolyRing
 
 from theory.curvature import christoffel
 
@@ -44,26 +45,32 @@ def goursat_series(order: int, on_u: Any = 0, on_v: Any = 0) -> Any:
     phi_uv = sin phi with phi = phi_0 + on_u(u) on the u-axis and phi_0 + on_v(v) on the v-axis;
     on_u, on_v: polynomials that vanish at 0. Nothing is assumed of the form of the solution.
     """
-    data = sp.sympify(on_u) + sp.sympify(on_v)
+    ring = PolyRing((U, V, S0, C0), sp.QQ)
+    data = ring.from_expr(sp.sympify(on_u) + sp.sympify(on_v))
     psi = data
     for _ in range(order):
-        integrand = _truncated(_sine_of(psi, order), order)
-        psi = _truncated(data + sp.integrate(sp.integrate(integrand, U), V), order)
-    return psi
+        psi = _truncated(data + _integrated(_sine_of(psi, order)), order)
+    return psi.as_expr()
 
 
 def _sine_of(psi: Any, order: int) -> Any:
     """Sine of phi_0 + psi, up to the degrees that are kept."""
-    terms, power = S0, sp.Integer(1)
+    _, _, sine, cosine = psi.ring.gens
+    terms, power = sine, psi.ring.one
     for k in range(1, 2 * order + 1):
-        power = _truncated(power * psi / k, order)
-        terms += power * (S0, C0, -S0, -C0)[k % 4]
-    return sp.expand(terms)
+        power = _truncated((power * psi).mul_ground(sp.QQ(1, k)), order)
+        terms += power * (sine, cosine, -sine, -cosine)[k % 4]
+    return terms
 
 
-def _truncated(expr: Any, order: int) -> Any:
-    kept = sp.Poly(sp.expand(expr), U, V).terms()
-    return sum((c * U**i * V**j for (i, j), c in kept if i <= order and j <= order), sp.Integer(0))
+def _integrated(p: Any) -> Any:
+    """Integral over u and v from 0."""
+    terms = {(i + 1, j + 1, a, b): c / ((i + 1) * (j + 1)) for (i, j, a, b), c in p.terms()}
+    return p.ring.from_dict(terms)
+
+
+def _truncated(p: Any, order: int) -> Any:
+    return p.ring.from_dict({m: c for m, c in p.terms() if m[0] <= order and m[1] <= order})
 
 
 def chebyshev_metric(phi: Any, *, sigma: int) -> sp.Matrix:

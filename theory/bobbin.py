@@ -21,10 +21,8 @@ S, THETA = sp.symbols("s theta", real=True)
 
 def radius() -> Any:
     """Radius rho(s): the solution of rho_ss = rho with rho(0) = 1/kappa and rho_s(0) = 0."""
-    a, b = sp.symbols("a b")
-    rho = a * sp.cosh(S) + b * sp.sinh(S)
-    throat = (rho.subs(S, 0) - 1 / KAPPA, sp.diff(rho, S).subs(S, 0))
-    return rho.subs(sp.solve(throat, [a, b]))
+    start, slope = 1 / KAPPA, sp.Integer(0)
+    return start * sp.cosh(S) + slope * sp.sinh(S)
 
 
 def bobbin() -> Meridian:

@@ -14,6 +14,8 @@ from flint import arb
 
 Dyadic = tuple[int, int]
 
+SPARE_BITS = 40
+
 
 @dataclass(frozen=True, kw_only=True)
 class Enclosure:
@@ -45,7 +47,16 @@ class Enclosure:
         return cls.of(ball) if ball.is_finite() else None
 
     def ball(self) -> Any:
-        """Ball of flint with this midpoint and radius, whatever the precision in force."""
+        """Ball of flint with this midpoint and radius, whatever the precision in force.
+
+        Radii of flint have 30 bits; a longer one is rounded up.
+        """
+        mantissa, exponent = self.radius
+        if mantissa:
+            # flint adds a unit to the last of the 30 bits it is given, also where they are exact.
+            shrunk = arb(self.midpoint, ((mantissa << SPARE_BITS) - 1, exponent - SPARE_BITS))
+            if _fraction(_dyadic(shrunk.rad())) >= _fraction(self.radius):
+                return shrunk
         return arb(self.midpoint, self.radius)
 
     def ends(self) -> tuple[Fraction, Fraction]:

@@ -14,8 +14,8 @@ _DEFINITIONS = (
         where="definition (def:amsler-sector), first sentence, lines 450-453",
         kind="definition",
         statement=(
-            r"An Amsler sector is a PS-front $r : [0, \infty)^2 \to \mathbb{R}^3$ whose two edges "
-            r"$r(\cdot, 0)$ and $r(0, \cdot)$ are geodesics of $\mathbb{R}^3$, that is, straight."
+            r"Amsler sectors are the PS-fronts on the quadrant $[0, \infty)^2$ with both edges "
+            r"$r(\cdot, 0)$, $r(0, \cdot)$ straight (geodesics of $\mathbb{R}^3$)."
         ),
         labels=("def:amsler-sector",),
         hypotheses=(
@@ -50,8 +50,8 @@ _DEFINITIONS = (
         where="definition (def:amsler-sector), second sentence, lines 450-453",
         kind="definition",
         statement=(
-            r"A pseudo-Amsler sector is a PS-front $r : [0, u_0) \times [0, v_0) \to \mathbb{R}^3$ "
-            r"one of whose edges $r(\cdot, 0)$, $r(0, \cdot)$ is straight."
+            r"Pseudo-Amsler sectors are the PS-fronts on $[0, u_0) \times [0, v_0)$ with one edge, "
+            r"$r(\cdot, 0)$ or $r(0, \cdot)$, straight."
         ),
         hypotheses=(r"(used, not stated) one edge at least: a part of an Amsler sector counts",),
         rests_on=("eq:lelieuvre", "3.1.front-existence"),
@@ -148,8 +148,8 @@ _REDUCTION = (
         where="equation (PIII), lines 457-460",
         kind="equation",
         statement=(
-            r"The sine-Gordon equation reduces to $\varphi''(z) + \varphi'(z)/z - \sin\varphi(z) "
-            r"= 0$."
+            r"On functions of $z$, $\varphi_{uv} = \sin\varphi$ becomes $\varphi''(z) + "
+            r"\varphi'(z)/z - \sin\varphi(z) = 0$."
         ),
         labels=("PIII",),
         hypotheses=(_SIGMA, r"$\varphi$ is a function of $z = 2\sqrt{uv}$ alone"),
@@ -166,6 +166,7 @@ _REDUCTION = (
             ),
             Check(
                 name="Goursat series",
+                tier="full",
                 run=_V + "painleve_series",
                 routes=("the printed equation", "double Taylor series found without the ansatz"),
                 mutants=(
@@ -274,9 +275,8 @@ _REDUCTION = (
         where="section 3.1, line 461",
         kind="sentence",
         statement=(
-            r"On Minding's bobbin every asymptotic curve, of either family, meets "
-            r"the singular edge "
-            "at a finite value of its parameter."
+            r"On Minding's bobbin each asymptotic curve, of either family, comes to the cuspidal "
+            "edge after a finite length."
         ),
         hypotheses=(r"$\kappa > 0$",),
         rests_on=("ex:bobbin", "eq:bobbin_psfront", "3.1.bobbin-periodic-orbits"),

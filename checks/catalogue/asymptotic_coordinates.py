@@ -21,6 +21,7 @@ _COORDINATES = (
         checks=(
             Check(
                 name="asymptotic directions",
+                tier="full",
                 run=_RUN + "asymptotic_directions",
                 form="support",
                 routes=(
@@ -108,6 +109,7 @@ _COORDINATES = (
         checks=(
             Check(
                 name="either sign",
+                tier="full",
                 run=_RUN + "either_normal",
                 part="condition",
                 routes=("printed normal", "pseudosphere and Dini surface, differentiated directly"),
@@ -139,6 +141,7 @@ _SPEED_AND_TORSION = (
         checks=(
             Check(
                 name="Codazzi equations",
+                tier="full",
                 run=_RUN + "unit_speed",
                 routes=("normal parts of r_uuv - r_uvu and r_vvu - r_vuv by Gauss-Weingarten",),
                 mutants=(

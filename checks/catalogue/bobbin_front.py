@@ -46,6 +46,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="caption",
+                tier="full",
                 run=_FRONT + "figure",
                 routes=("caption", _FLOW, "theory.pseudospherical_revolution:meridian_normal"),
                 mutants=(
@@ -60,13 +61,14 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after equation (eq:c2energy), line 377",
         kind="sentence",
-        statement=r"Reflecting a pseudospherical surface of revolution in the plane of two "
-        r"opposite meridians keeps $s$, takes $u$-asymptotic curves to $v$-asymptotic curves of "
-        r"the opposite torsion and back, and reverses $\partial_\theta$.",
+        statement=r"The mirror in the plane of two opposite meridians, on any surface of "
+        r"revolution with $K=-1$, keeps $s$, takes $u$-asymptotic curves to $v$-asymptotic curves "
+        r"of the opposite torsion and back, and reverses $\partial_\theta$.",
         hypotheses=(r"$K=-1$", _UNITS),
         checks=(
             Check(
                 name="mirror image",
+                tier="full",
                 run=_COORDINATES + "reflection",
                 routes=(_ANY_FLOW, _LINES, "theory.pseudospherical_revolution:torsions"),
                 mutants=(
@@ -207,6 +209,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="both cases",
+                tier="full",
                 run=_COORDINATES + "half_angles",
                 routes=("printed cases", "induced metric of theory.bobbin"),
                 mutants=(
@@ -509,8 +512,8 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after the proof of the Lemma, line 417",
         kind="sentence",
-        statement=r"(eq:econs) is conservation of energy for a unit mass in the potential "
-        r"$V(s)=\frac1{2(\kappa^2+1)}\cosh^2s$, with $\xi$ as time; the energy is $\frac12$.",
+        statement=r"With $\xi$ as time and $V(s)=\frac1{2(\kappa^2+1)}\cosh^2s$, (eq:econs) says "
+        r"that a unit mass has the energy $\frac12$.",
         hypotheses=(_KAPPA,),
         rests_on=("eq:econs",),
         checks=(
@@ -527,7 +530,8 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after the proof of the Lemma, line 417",
         kind="sentence",
-        statement=r"The orbits $s(\xi)$ of the unit mass with this energy are bounded and periodic.",
+        statement=r"The orbits $s(\xi)$ of the unit mass with this energy are bounded and "
+        r"periodic.",
         hypotheses=(_KAPPA, _PARTICLE),
         rests_on=("eq:econs", "3.1.bobbin-energy-conservation"),
         checks=(
@@ -564,7 +568,7 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after the proof of the Lemma, line 417",
         kind="sentence",
-        statement=r"At the turning points $s'=0$ and $s''=-V'(s)\neq0$.",
+        statement=r"Where the mass turns, $s'=0$ and $s''=-V'(s)\neq0$.",
         hypotheses=(_KAPPA, _PARTICLE),
         rests_on=("3.1.bobbin-turning-points", "3.1.bobbin-energy-conservation"),
         checks=(
@@ -692,6 +696,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="surface",
+                tier="full",
                 run=_FRONT + "front_surface",
                 part="surface",
                 routes=("printed map", "theory.pseudospherical_revolution:meridian_normal"),
@@ -702,6 +707,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="surface, u and v exchanged",
+                tier="full",
                 run=_FRONT + "front_surface",
                 form="corrected",
                 given={"sense": -1},
@@ -711,6 +717,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="torsions",
+                tier="full",
                 run=_FRONT + "front_torsions",
                 part="torsions",
                 routes=("printed map", "theory.pseudospherical_revolution:torsion"),
@@ -718,6 +725,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="torsions, u and v exchanged",
+                tier="full",
                 run=_FRONT + "front_torsions",
                 form="corrected",
                 given={"sense": -1},
@@ -747,7 +755,7 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="after equation (eq:bobbin_psfront), line 434",
         kind="sentence",
-        statement=r"The map is not an immersion on the circles $u+v=\xi_c$ (and is one elsewhere).",
+        statement=r"$r$ has rank 1 on the circles $u+v=\xi_c$, and rank 2 elsewhere.",
         hypotheses=(_KAPPA,),
         rests_on=("eq:bobbin_psfront", "3.1.bobbin-turning-points"),
         checks=(
@@ -869,6 +877,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="one map on all quarters",
+                tier="full",
                 run=_FRONT + "continuous_normal",
                 routes=(_LINES, "theory.pseudospherical_revolution:meridian_normal"),
                 mutants=(Mutant(name="without sigma", given={"factor": "1"}),),
@@ -912,6 +921,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="u and v exchanged",
+                tier="full",
                 run=_FRONT + "front_normal",
                 form="corrected",
                 given={"sense": -1},
@@ -952,6 +962,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="u and v exchanged",
+                tier="full",
                 run=_FRONT + "lelieuvre",
                 form="corrected",
                 given={"sense": -1},

@@ -271,8 +271,8 @@ CLAIMS: tuple[Claim, ...] = (
         section="3.1",
         where="before equation (eq:c2energy), line 370",
         kind="sentence",
-        statement=r"The longitudinal curvature diverges as the distance to the edge to the power "
-        r"$-1/2$; in fact as $(2\tanh L)^{-1/2}(L-s)^{-1/2}$.",
+        statement=r"At the small distance $t$ from the edge the longitudinal curvature is of order "
+        r"$t^{-1/2}$; in fact $\sim(2t\tanh L)^{-1/2}$.",
         hypotheses=(r"$\kappa>0$",),
         rests_on=("3.1.bobbin-longitudinal-curvature", "3.1.bobbin-singular-edge"),
         checks=(
@@ -326,6 +326,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="both infima",
+                tier="full",
                 run=_DISK + "c2_bound",
                 routes=("printed maximum", "theory.bobbin:largest_on_disk"),
                 mutants=(

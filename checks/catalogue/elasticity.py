@@ -120,6 +120,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="both-inclusions",
+                tier="full",
                 run=f"{_BULK}:energy_well_contents",
                 routes=("quaternion rotations times the root", "orthogonality of F A^-1"),
                 mutants=(

@@ -148,6 +148,7 @@ _MOUTARD = (
         checks=(
             Check(
                 name="five equalities",
+                tier="full",
                 run=_RUN + "moutard",
                 routes=_ROUTES,
                 mutants=(

@@ -57,6 +57,7 @@ _FRAMES = (
             ),
             Check(
                 name="signed curvature",
+                tier="full",
                 run=_RUN + "principal_normal",
                 form="corrected",
                 given={"signed": True},
@@ -101,6 +102,7 @@ _FRAMES = (
         checks=(
             Check(
                 name="u-lines",
+                tier="full",
                 run=_RUN + "frenet_u",
                 part="u-lines",
                 routes=_ROUTES,
@@ -137,6 +139,7 @@ _FRAMES = (
         checks=(
             Check(
                 name="from the metric",
+                tier="full",
                 run=_RUN + "geodesic_curvatures",
                 routes=("r_uu.(N x r_u) and r_vv.(N x r_v)", "covariant derivative in the metric"),
                 mutants=(

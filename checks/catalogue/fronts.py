@@ -11,8 +11,8 @@ _SMOOTHNESS: tuple[Claim, ...] = (
         where="definition of C^{1M}, line 343",
         kind="definition",
         statement=(
-            r"$f(u, v) \in \mathbb{R}^n$ is $C^{1M}$ if each component is $C^1$ with "
-            "continuous mixed derivatives $f_{uv} = f_{vu}$."
+            r"A map $f(u, v)$ to $\mathbb{R}^n$ has class $C^{1M}$ when it is $C^1$ and $f_{uv}$, "
+            "$f_{vu}$ exist, are continuous and agree."
         ),
         checks=(
             Check(
@@ -35,7 +35,8 @@ _SMOOTHNESS: tuple[Claim, ...] = (
         where="section 3.1, line 345",
         kind="sentence",
         statement=(
-            "A $C^{1M}$ function need not be $C^2$, and neither $f_{uu}$ nor $f_{vv}$ need exist."
+            "Some functions of class $C^{1M}$ have neither $f_{uu}$ nor $f_{vv}$, so they are not "
+            "$C^2$."
         ),
         rests_on=("3.1.front-c1m",),
         checks=(
@@ -147,6 +148,7 @@ _NORMALS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="instances and near-misses",
+                tier="full",
                 run=_V + "weakly_harmonic",
                 routes=(
                     "four normals in closed form",
@@ -167,13 +169,17 @@ _NORMALS: tuple[Claim, ...] = (
         statement=r"$N_u \cdot N_u > 0$ and $N_v \cdot N_v > 0$ on $D$.",
         checks=(
             Check(
-                name="instances and near-misses",
-                run=_V + "weakly_harmonic",
+                name="instances and near-miss",
+                tier="full",
+                run=_V + "normal_speeds",
                 routes=(
                     "four normals in closed form",
                     "membership known by hand",
                 ),
-                mutants=(Mutant(name="property 1 dropped", given={"speeds": False}),),
+                mutants=(
+                    Mutant(name="one of the two", given={"families": 1}),
+                    Mutant(name="neither", given={"families": 0}),
+                ),
             ),
         ),
     ),
@@ -245,9 +251,8 @@ _FRONTS: tuple[Claim, ...] = (
         where="section 3.1, line 354",
         kind="sentence",
         statement=(
-            r"If $D$ is simply connected and $N : D \to S^2$ weakly harmonic, the "
-            r"Lelieuvre equations have a $C^{1M}$ solution $r : D \to \mathbb{R}^3$, the"
-            " PS-front of $N$."
+            r"Every weakly harmonic $N$ on a simply connected $D$ has a PS-front: some "
+            r"$r : D \to \mathbb{R}^3$ of class $C^{1M}$ solves the Lelieuvre equations."
         ),
         hypotheses=(
             "$D$ is simply connected",
@@ -264,6 +269,7 @@ _FRONTS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="closed form",
+                tier="full",
                 run=_V + "front_exists",
                 routes=(
                     "Lelieuvre form of a unit normal in unknown polar angles",
@@ -357,8 +363,7 @@ _FRONTS: tuple[Claim, ...] = (
         where="section 3.1, line 356",
         kind="sentence",
         statement=(
-            r"$r$ is an immersion at a point if and only if $N$ is: $r_u \times r_v = "
-            r"-N_u \times N_v$."
+            r"$r$ and $N$ are immersions at the same points: $r_u \times r_v = -N_u \times N_v$."
         ),
         rests_on=("eq:lelieuvre",),
         checks=(

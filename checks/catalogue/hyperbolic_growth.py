@@ -133,6 +133,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="curvature bounded away from 0",
+                tier="full",
                 run=_PLANE + "negative_curvature_growth",
                 routes=(
                     "Wronskian against constant curvature",

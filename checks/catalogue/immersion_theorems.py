@@ -27,6 +27,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="stored-search",
+                tier="full",
                 run=f"{_SEARCHES}:hilbert_search",
                 form="support",
                 routes=("marching on a grid, optimised", "Picard iteration on finer grids"),
@@ -65,6 +66,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="stored-search",
+                tier="full",
                 run=f"{_SEARCHES}:efimov_search",
                 form="support",
                 routes=("exact steps in floats, optimised", "the same data in ball arithmetic"),
@@ -111,6 +113,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="stored-search",
+                tier="full",
                 run=f"{_SEARCHES}:nash_kuiper_search",
                 form="support",
                 routes=("rate of the second corrugation in closed form", "differences of the map"),
@@ -245,6 +248,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="covariant-hessian",
+                tier="full",
                 run=f"{_THEOREMS}:hessian_energy",
                 routes=("shape operator of a graph", "covariant Hessian of the map"),
                 mutants=(
@@ -342,6 +346,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="rigid-motions",
+                tier="full",
                 run=f"{_THEOREMS}:rigid_motions",
                 form="support",
                 routes=("bending energy of a graph", "that of its image under a rigid motion"),

@@ -55,6 +55,7 @@ _INVARIANCE = (
         checks=(
             Check(
                 name="flips",
+                tier="full",
                 run=_RUN + "invariant_angle",
                 routes=_ROUTES,
                 mutants=(

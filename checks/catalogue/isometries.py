@@ -118,6 +118,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="very-weak-determinant",
+                tier="full",
                 run=f"{_ISOMETRIES}:curvature_product",
                 routes=(
                     "second derivatives in each sector",

@@ -121,6 +121,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="isometries solve the system",
+                tier="full",
                 run=_V + "exterior_system",
                 form="corrected",
                 given={"converse": False},
@@ -287,6 +288,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="disks of curvature -1",
+                tier="full",
                 run=_PIECES + "finite_piece",
                 form="corrected",
                 given={"closed": False},

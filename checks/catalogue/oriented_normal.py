@@ -23,6 +23,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="conditions after the flip",
+                tier="full",
                 run="checks.verify.symmetries:flipped_coordinates",
                 routes=(
                     "chain rule on Gauss-Weingarten for an unknown angle, and on explicit surfaces",

@@ -269,6 +269,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="observed order",
+                tier="full",
                 run=_PENDULUM + "pendulum_order",
                 routes=(
                     "printed form",
@@ -318,6 +319,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="small angle",
+                tier="full",
                 run=_PENDULUM + "slow_amplitude",
                 form="corrected",
                 given={"initial": "1e-12"},
@@ -784,6 +786,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="observed order",
+                tier="full",
                 run=_AMPLITUDE + "amplitude_order",
                 form="support",
                 routes=(
@@ -980,6 +983,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="pi/100",
+                tier="full",
                 run=_LINES + "coverage",
                 form="corrected",
                 given={"amplitude": "2 - 2/z*"},
@@ -1056,6 +1060,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="I_0 and separatrix",
+                tier="full",
                 run=_UNIFORM + "complete",
                 form="corrected",
                 given={"lines": "matched"},
@@ -1170,6 +1175,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="order in phi",
+                tier="full",
                 run=_LINEAR + "regime_2_order",
                 form="support",
                 routes=(
@@ -1359,6 +1365,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="observed order",
+                tier="full",
                 run=_CROSSING + "estimate_order",
                 form="support",
                 routes=(
@@ -1452,6 +1459,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="third line mended",
+                tier="full",
                 run=_BOUNDS + "better_than_bounds",
                 form="corrected",
                 given={"amplitude": "2 - 2/z*"},

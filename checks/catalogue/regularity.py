@@ -87,6 +87,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="disks of curvature -1",
+                tier="full",
                 run=_PIECES + "finite_piece",
                 form="corrected",
                 given={"closed": False},

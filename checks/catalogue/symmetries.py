@@ -31,6 +31,7 @@ _INVARIANCE = Claim(
     checks=(
         Check(
             name="Lelieuvre formulae",
+            tier="full",
             run=_RUN + "lelieuvre_symmetries",
             part="Lelieuvre",
             routes=_ROUTES,
@@ -38,6 +39,7 @@ _INVARIANCE = Claim(
         ),
         Check(
             name="Lorentz harmonic normal",
+            tier="full",
             run=_RUN + "lorentz_symmetries",
             part="Lorentz harmonic",
             routes=_ROUTES,
@@ -45,6 +47,7 @@ _INVARIANCE = Claim(
         ),
         Check(
             name="torsions",
+            tier="full",
             run=_RUN + "torsion_symmetries",
             part="torsions",
             routes=_ROUTES,

@@ -37,6 +37,7 @@ _SYSTEMS = (
         checks=(
             Check(
                 name="row by row",
+                tier="full",
                 run=_RUN + "cross_derivative_u",
                 routes=_ROUTES,
                 mutants=(
@@ -84,6 +85,7 @@ _SYSTEMS = (
         checks=(
             Check(
                 name="product rule",
+                tier="full",
                 run=_RUN + "zero_curvature",
                 routes=("printed condition", "mixed derivatives of a frame of unknown functions"),
                 mutants=(
@@ -108,6 +110,7 @@ _SINE_GORDON = (
         checks=(
             Check(
                 name="both frames",
+                tier="full",
                 run=_RUN + "curvatures",
                 routes=("zero curvature with an unknown kappa", *_ROUTES),
                 mutants=(
@@ -131,6 +134,7 @@ _SINE_GORDON = (
         checks=(
             Check(
                 name="equivalent conditions",
+                tier="full",
                 run=_RUN + "sine_gordon",
                 part="equivalence",
                 routes=(
@@ -146,6 +150,7 @@ _SINE_GORDON = (
             ),
             Check(
                 name="explicit surfaces",
+                tier="full",
                 run=_RUN + "sine_gordon_on_surfaces",
                 part="surfaces",
                 routes=(

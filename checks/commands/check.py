@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from graphlib import TopologicalSorter
 from typing import Any
@@ -12,15 +12,15 @@ import click
 from checks import ledger as ledgers
 from checks.claim import Claim, Tier
 from checks.errors import BadInput
-from checks.job import Job, job_of
+from checks.job import Job, Report, job_of
 from checks.last_run import keep
 from checks.output import STDOUT, require_writable, write_json, write_text
-from checks.pins import differences, read_pins
+from checks.pins import Pins, differences, read_pins, text
 from checks.registry import Registry, registry
 from checks.report.junit import junit
 from checks.report.progress import watching
 from checks.report.table import table
-from checks.runner import run
+from checks.runner import Key, run
 from checks.selection import runs_in, select
 from checks.version import versions
 
@@ -53,6 +53,24 @@ def jobs_of(
     ]
 
 
+def _vanished(whole: Registry, pins: Pins) -> list[str]:
+    """One line for each pinned check that the catalogue no longer has."""
+    known = {(claim.id, check.name) for claim in whole.claims for check in claim.checks}
+    return [
+        f"{claim} / {check}: pinned {text(pin)}, no longer in the catalogue"
+        for claim, checks in pins.items()
+        for check, pin in checks.items()
+        if (claim, check) not in known
+    ]
+
+
+def _exit_code(problems: Sequence[str]) -> int:
+    """0 as pinned, 4 where nothing worse happened than that checks stayed undecided, else 1."""
+    if not problems:
+        return 0
+    return 4 if all(", came out undecided" in problem for problem in problems) else 1
+
+
 def _problems(ledger: dict[str, Any], differing: Sequence[str]) -> list[str]:
     broken = [
         f"{claim['id']} / {check['name']}: broken, it {check['broken']}"
@@ -61,6 +79,39 @@ def _problems(ledger: dict[str, Any], differing: Sequence[str]) -> list[str]:
         if "broken" in check
     ]
     return broken + list(differing)
+
+
+def _times(
+    reports: Mapping[Key, Report], *, started: str, seconds: float, jobs: int
+) -> dict[str, Any]:
+    """All that may differ between two runs: times, tracebacks, versions."""
+    named = {f"{claim}/{check}": report for (claim, check), report in sorted(reports.items())}
+    return {
+        "started": started,
+        "seconds": round(seconds, 3),
+        "jobs": jobs,
+        "checks": {name: round(report.seconds, 3) for name, report in named.items()},
+        "tracebacks": {name: r.traceback for name, r in named.items() if r.traceback},
+        "versions": versions(),
+    }
+
+
+def _tell(
+    ledger: dict[str, Any],
+    problems: Sequence[str],
+    *,
+    json_file: str | None,
+    junit_file: str | None,
+) -> None:
+    """Write the files asked for; the table goes to stdout, or only the problems to stderr."""
+    write_json(json_file, ledger)
+    if junit_file:
+        write_text(junit_file, junit(ledger, problems))
+    if STDOUT not in (json_file, junit_file):
+        click.echo(table(ledger, problems), nl=False)
+        return
+    for line in problems:
+        click.echo(f"kminusone: {line}", err=True)
 
 
 def check_command(
@@ -74,7 +125,7 @@ def check_command(
     json_file: str | None,
     junit_file: str | None,
 ) -> int:
-    """Exit code of the run: 0 as pinned, 1 differs or a check is broken, 3 nothing ran."""
+    """Exit code of the run: 0 as pinned, 1 differs or broken, 3 nothing ran, 4 only undecided."""
     whole = registry()
     claims = select(whole, patterns, section=section)
     for name in (json_file, junit_file):
@@ -92,27 +143,12 @@ def check_command(
     start, begun = time.perf_counter(), datetime.now(UTC).isoformat(timespec="seconds")
     with watching(len(todo)) as watcher:
         reports = run(todo, workers=workers, watcher=watcher)
-    times = {
-        "started": begun,
-        "seconds": round(time.perf_counter() - start, 3),
-        "jobs": workers,
-        "checks": {f"{c}/{k}": round(r.seconds, 3) for (c, k), r in sorted(reports.items())},
-        "tracebacks": {
-            f"{c}/{k}": r.traceback for (c, k), r in sorted(reports.items()) if r.traceback
-        },
-        "versions": versions(),
-    }
+    times = _times(reports, started=begun, seconds=time.perf_counter() - start, jobs=workers)
     ledger = ledgers.build(
         claims, whole, reports, pins, seed=seed, digits=digits, tier=tier, times=times
     )
-    problems = _problems(ledger, differences(ledgers.ran(claims, reports), pins))
+    results = ledgers.ran(claims, reports)
+    problems = _problems(ledger, [*differences(results, pins), *_vanished(whole, pins)])
     keep(ledger)
-    write_json(json_file, ledger)
-    if junit_file:
-        write_text(junit_file, junit(ledger, problems))
-    if STDOUT not in (json_file, junit_file):
-        click.echo(table(ledger, problems), nl=False)
-    else:
-        for line in problems:
-            click.echo(f"kminusone: {line}", err=True)
-    return 1 if problems else 0
+    _tell(ledger, problems, json_file=json_file, junit_file=junit_file)
+    return _exit_code(problems)

@@ -5,6 +5,7 @@ from typing import Any
 
 import click
 
+from checks.errors import BadInput
 from checks.last_run import committed_ledger, last_run
 from checks.output import STDOUT, require_writable, write_json
 from checks.registry import Registry, registry
@@ -41,7 +42,10 @@ def explain_command(pattern: str, json_file: str | None) -> int:
     """Exit code: 0; an unknown claim is refused with the close ones named."""
     require_writable(json_file)
     whole = registry()
-    for claim in select(whole, [pattern]):
+    chosen = select(whole, [pattern])
+    if json_file is not None and len(chosen) > 1:
+        raise BadInput(f"--json explains one claim, {pattern!r} matches {len(chosen)}: name one")
+    for claim in chosen:
         entry, source = _evidence(claim.id)
         if json_file is not None:
             write_json(json_file, _plain(claim.id, whole, entry, source))

@@ -19,9 +19,12 @@ def composite(
     return f(*g(r, {"r": r, "s": s, "z": z}[second])), f(*g(r, s))
 
 
-def speeds_are_positive(squared: tuple[Any, Any]) -> bool:
-    """Item (1) of the definition of a weakly harmonic map: N_u . N_u > 0 and N_v . N_v > 0."""
-    return bool(squared[0] > 0 and squared[1] > 0)
+def speeds_are_positive(squared: tuple[Any, Any], *, families: int = 2) -> bool:
+    """Item (1) of the definition of a weakly harmonic map: N_u . N_u > 0 and N_v . N_v > 0.
+
+    families: how many of the two must be positive.
+    """
+    return [bool(value > 0) for value in squared].count(True) >= families
 
 
 def lelieuvre(normal: Vector, n_u: Vector, n_v: Vector, *, sign_v: int = -1) -> tuple[Any, Any]:

@@ -1,9 +1,17 @@
 """A ledger as a JUnit report: a suite for each section, a case for each check."""
 
+import re
 from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
 from xml.etree import ElementTree as Xml
+
+# XML 1.0 has no way to write the other characters.
+_ILLEGAL = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def _legal(text: str) -> str:
+    return _ILLEGAL.sub("?", text)
 
 
 def _case(
@@ -14,9 +22,9 @@ def _case(
     if check["outcome"] == "not_run":
         Xml.SubElement(case, "skipped", message="not in the tier that ran")
     elif check["outcome"] == "error":
-        Xml.SubElement(case, "error", message=check["error"])
+        Xml.SubElement(case, "error", message=_legal(check["error"]))
     elif troubles:
-        Xml.SubElement(case, "failure", message="; ".join(troubles))
+        Xml.SubElement(case, "failure", message=_legal("; ".join(troubles)))
     return case
 
 

@@ -1,7 +1,7 @@
 """The notes that are built from a ledger: ledger.md, errata.md and the README's example."""
 
 from collections.abc import Mapping, Sequence
-from decimal import ROUND_CEILING, Decimal
+from decimal import Decimal
 from itertools import groupby
 from typing import Any
 
@@ -17,7 +17,8 @@ def power_of_ten(residual: str) -> str:
     value = Decimal(residual)
     if value == 0:
         return "0"
-    return f"1e{int(abs(value).log10().to_integral_value(ROUND_CEILING))}"
+    exponent = value.adjusted()
+    return f"1e{exponent if abs(value) == Decimal(1).scaleb(exponent) else exponent + 1}"
 
 
 def _cell(text: str) -> str:

@@ -31,6 +31,9 @@ def _claim_line(claim: Mapping[str, Any], width: int) -> str:
     parts = [f"  {claim['id']:<{width}}", f"{claim['verdict']:<9}", f"{claim['grade'] or '-':<10}"]
     if passed:
         parts.append(f"{passed} {_plural('check', passed)}, {mutants} {_plural('mutant', mutants)}")
+    if waiting := len(claim["checks"]) - passed:
+        expected = f", expected {claim['expected']}" if claim["expected"] else ""
+        parts.append(f"({waiting} more in the full tier{expected})")
     if claim["weakened_by"]:
         parts.append(f"; weakened by {_first(claim['weakened_by'])}")
     return " ".join(parts).rstrip()

@@ -37,7 +37,7 @@ def largest_disk(setting: Setting, *, factor: int = 2) -> Evidence:
 
 def _rational(expr: sp.Expr) -> sp.Expr:
     """Value of a hyperbolic expression of logarithms of rationals."""
-    return sp.simplify(sp.sympify(expr).rewrite(sp.exp))
+    return sp.cancel(sp.sympify(expr).rewrite(sp.exp))
 
 
 def _broken_chain(
@@ -97,9 +97,9 @@ def curvature_chain(
 
 def _extremes_at_the_ends(setting: Setting) -> Evidence:
     """On s > 0 the longitudinal curvature grows and the azimuthal one falls."""
-    s, margin = sp.symbols("s_up d", positive=True)
+    s, room = sp.symbols("s_up d", positive=True)
     longitudinal, azimuthal = (square.subs(S, s) for square in bobbin.squared_curvatures())
-    inside = {KAPPA: sp.sinh(s + margin)}
+    inside = {KAPPA: sp.sqrt(sp.sinh(s) ** 2 + room)}
     return positivity(
         setting,
         {
@@ -149,8 +149,9 @@ def c2_bound(
     first, second = printed.c2_energies(KAPPA, RADIUS, **forms)
     longitudinal, azimuthal = bobbin.largest_on_disk(KAPPA, 0, RADIUS)
     least = sp.cosh(RADIUS)
-    margin = sp.Symbol("d", positive=True)
-    inside = {KAPPA: sp.sinh(RADIUS + margin)}
+    q, room = sp.symbols("q d", positive=True)
+    rates = [sp.diff((a**2).subs(KAPPA, sp.sqrt(q)), q) for a in (first, second)]
+    rises, falls = (rate.subs(q, sp.sinh(RADIUS) ** 2 + room) for rate in rates)
     return combined(
         {
             "entries": identities(
@@ -168,11 +169,8 @@ def c2_bound(
             ),
             "monotone": positivity(
                 setting,
-                {
-                    "throat rises": sp.diff(first**2, KAPPA).subs(inside),
-                    "edge falls": -sp.diff(second**2, KAPPA).subs(inside),
-                },
-                shown="one rises, the other falls",
+                {"throat rises": rises, "edge falls": -falls},
+                shown="with kappa^2 one rises, the other falls",
             ),
             "ends": _extremes_at_the_ends(setting),
             "every kappa": _every_disk(setting),

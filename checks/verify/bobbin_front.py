@@ -113,6 +113,11 @@ def not_immersed(setting: Setting, *, at: str = "edge") -> Evidence:
     for psi in places:
         for i, entry in enumerate(normal):
             residuals[f"(r_u x r_v)[{i}] at psi = {psi}"] = entry.subs(PSI, psi)
+    c = sp.Symbol("c", positive=True)
+    radius = {
+        "rho^2": (flow.rho**2).subs(sp.cos(PSI), c),
+        "at the throat": flow.rho.subs(PSI, sp.pi / 2),
+    }
     r = _point(1)
     along_circle = added(flow.vector_u(r), scaled(-1, flow.vector_v(r)))
     residuals["circle"] = dot(along_circle, along_circle) - (2 * flow.alpha * flow.rho) ** 2
@@ -120,11 +125,7 @@ def not_immersed(setting: Setting, *, at: str = "edge") -> Evidence:
     return combined(
         {
             "singular": identities(setting, residuals, shown="singular at the edges"),
-            "only there": positivity(
-                setting,
-                {"rho^2 at the throat": flow.rho.subs(PSI, sp.pi / 2) ** 2},
-                shown="rho > 0",
-            ),
+            "only there": positivity(setting, radius, shown="rho > 0"),
         },
         shown="|r_u x r_v| = 2 alpha rho |s'| vanishes exactly where s' = 0; each curve u + v = "
         "const is a circle of constant height and radius rho",

@@ -120,11 +120,30 @@ def _constant(expr: Any) -> Any:
     return value
 
 
-def _is_weakly_harmonic(normal: Vector, *, speeds: bool, moutard: bool) -> bool:
+def _squared_speeds(normal: Vector) -> tuple[Any, Any]:
     n_u, n_v = vector_derivative(normal, U), vector_derivative(normal, V)
+    return _constant(dot(n_u, n_u)), _constant(dot(n_v, n_v))
+
+
+def normal_speeds(setting: Setting, *, families: int = 2) -> Evidence:
+    """Instances of property 1 accepted and a near-miss, at rest along v, refused."""
+    wrong = [
+        name
+        for name, normal, _ in _normals()
+        if printed.speeds_are_positive(_squared_speeds(normal), families=families)
+        != ("at rest" not in name)
+    ]
+    return statement(
+        not wrong,
+        shown="three normals that move along u and along v are accepted, one that moves along u "
+        "only is refused",
+        witness=f"decided wrongly: {', '.join(wrong)}",
+    )
+
+
+def _is_weakly_harmonic(normal: Vector, *, speeds: bool, moutard: bool) -> bool:
     mixed = vector_derivative(normal, U, V)
-    squared = (_constant(dot(n_u, n_u)), _constant(dot(n_v, n_v)))
-    if speeds and not printed.speeds_are_positive(squared):
+    if speeds and not printed.speeds_are_positive(_squared_speeds(normal)):
         return False
     residual = printed.moutard_residual(normal, mixed, dot(normal, mixed))
     return not moutard or all(vanishes(entry) for entry in residual)
@@ -237,7 +256,7 @@ def _from_axes(curvature: int, *, order: int) -> Series:
 
 
 def _glue(curvature: int, *, order: int = 3) -> tuple[bool, bool]:
-    """Whether the series for curvature 0 and for this one agree on u = 0 in N and N_u, and in N_uu."""
+    """Whether the series for curvature 0 and for this one share N and N_u on u = 0, and N_uu."""
     first, second = _from_axes(0, order=order), _from_axes(curvature, order=order)
     same = [all(first[i, j] == second[i, j] for j in range(order + 1)) for i in range(3)]
     return same[0] and same[1], same[2]
