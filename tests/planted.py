@@ -2,6 +2,8 @@
 
 import os
 import signal
+import sys
+import threading
 import time
 
 from checks.claim import Check, Claim, Mutant
@@ -42,6 +44,26 @@ def exiting(setting: Setting, *, factor: int = 2) -> Evidence:
 def slow(setting: Setting, *, factor: int = 2) -> Evidence:
     time.sleep(60)
     return sound(setting)
+
+
+def undecided(setting: Setting, *, factor: int = 2) -> Evidence:
+    if factor == 2:
+        return Evidence(outcome="undecided", grade="exact")
+    return sound(setting, factor=factor)
+
+
+def printing(setting: Setting, *, factor: int = 2) -> Evidence:
+    sys.stdout.write("noise\n")
+    return sound(setting, factor=factor)
+
+
+def leaving_a_thread(setting: Setting, *, factor: int = 2) -> Evidence:
+    threading.Thread(target=time.sleep, args=(60,)).start()
+    return sound(setting, factor=factor)
+
+
+def leaving_the_process(setting: Setting, *, factor: int = 2) -> Evidence:
+    raise SystemExit("planted exit")
 
 
 def drawn(setting: Setting, *, factor: int = 2) -> Evidence:

@@ -126,6 +126,74 @@ def test_claims_and_explain(planted, capsys):
         assert part in told
 
 
+def test_a_pinned_check_that_vanishes_is_noticed(planted, capsys):
+    folder = planted(claim("one", "sound"), claim("two", "drawn"))
+    run(["check"])
+    run(["pin"])
+    planted(claim("one", "sound"))
+    capsys.readouterr()
+    assert run(["check"]) == 1
+    assert "two / drawn: pinned pass (exact), no longer in the catalogue" in capsys.readouterr().out
+    assert (folder / "pins.json").is_file()
+
+
+def test_nothing_worse_than_undecided_has_its_own_exit_code(planted):
+    planted(claim("one", "undecided"))
+    assert run(["check"]) == 4
+    assert run(["pin"]) == 0
+    assert run(["check"]) == 0
+
+
+def test_a_broken_check_decides_nothing(planted):
+    folder = planted(claim("one", "vacuous"))
+    run(["check"])
+    assert ledger(folder)["claims"][0]["verdict"] == "undecided"
+
+
+def test_what_a_check_prints_stays_out_of_the_result(planted, capfd):
+    planted(claim("one", "printing"))
+    run(["check", "--json", "-"])
+    assert json.loads(capfd.readouterr().out)["counts"]["checks"] == 1
+
+
+def test_a_pipe_is_written_to_and_not_replaced(planted):
+    folder = planted(claim("one", "sound"))
+    pipe = folder / "pipe"
+    os.mkfifo(pipe)
+    reader = subprocess.Popen(["cat", str(pipe)], stdout=subprocess.PIPE, text=True)
+    run(["claims", "--json", "pipe"])
+    assert json.loads(reader.communicate(timeout=30)[0])["claims"][0]["id"] == "one"
+    assert pipe.is_fifo()
+
+
+def test_a_link_is_followed_and_not_replaced(planted):
+    folder = planted(claim("one", "sound"))
+    (folder / "target.json").write_text("old")
+    (folder / "link.json").symlink_to("target.json")
+    run(["claims", "--json", "link.json"])
+    assert (folder / "link.json").is_symlink()
+    assert json.loads((folder / "target.json").read_text())["claims"]
+
+
+@pytest.mark.parametrize("text", ["5", "null", "{", '{"claims": 5}', '"claims"'])
+def test_a_corrupt_last_run_is_ignored_with_a_warning(planted, capsys, text: str):
+    folder = planted(claim("one", "sound"))
+    (folder / ".kminusone").mkdir()
+    (folder / ".kminusone" / "last.json").write_text(text)
+    assert run(["explain", "one"]) == 0
+    assert "is not a ledger: it is ignored" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"one": 5}', '{"one": {"sound": []}}'])
+def test_corrupt_pins_are_refused_in_one_line(planted, capsys, text: str):
+    folder = planted(claim("one", "sound"))
+    (folder / "pins.json").write_text(text)
+    assert run(["claims"]) == 2
+    err = capsys.readouterr().err
+    assert "holds no pins" in err
+    assert err.count("\n") == 1
+
+
 BAD = [
     (["check", "oen"], "did you mean one"),
     (["check", "z*"], "no claim matches 'z*'"),

@@ -1,9 +1,11 @@
 """The runner: one child per check, so that whatever befalls a child costs that check alone."""
 
+import time
+
 import pytest
 from planted import claim
 
-from checks.job import Job, job_of
+from checks.job import Job, _stable, job_of
 from checks.runner import run
 
 
@@ -66,3 +68,20 @@ def test_the_seed_alone_decides_what_is_drawn(workers: int):
     other = run(jobs("drawn", seed=1), workers=workers)["planted", "drawn"].evidence
     assert first == again
     assert first != other
+
+
+def test_a_thread_that_lingers_does_not_hold_up_the_suite():
+    start = time.monotonic()
+    reports = run(jobs("leaving_a_thread", "sound"), workers=1)
+    assert [report.outcome for report in reports.values()] == ["pass", "pass"]
+    assert time.monotonic() - start < 30
+
+
+def test_leaving_the_process_by_an_exception_keeps_the_traceback():
+    report = run(jobs("leaving_the_process"), workers=1)["planted", "leaving_the_process"]
+    assert report.error == "SystemExit: planted exit"
+    assert "leaving_the_process" in report.traceback
+
+
+def test_an_error_names_no_address():
+    assert _stable("bad <object at 0x7f12ab34>") == "bad <object at 0x...>"

@@ -93,3 +93,30 @@ def test_grades_are_ordered(first: str, second: str):
     assert {weaker(first, second), stronger(first, second)} == {first, second}
     assert weaker(first, second) == weaker(second, first)
     assert weaker("exact", first) == first
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "expected"),
+    [
+        (("fail", "pass", "pass"), "corrected"),
+        (("fail", "pass", "error"), "undecided"),
+        (("fail", "fail", "pass"), "fails"),
+        (("fail", "pass", "not_run"), "undecided"),
+    ],
+)
+def test_a_part_that_is_not_mended_keeps_a_claim_from_being_corrected(outcomes, expected):
+    two_parts = claim("printed", "corrected", "printed", parts=("u", "u", "v"))
+    assert verdict(two_parts, results(*outcomes))[0] == expected
+
+
+def test_a_correction_of_another_part_mends_nothing():
+    crossed = claim("printed", "corrected", parts=("u", "v"))
+    assert verdict(crossed, results("fail", "pass"))[0] == "fails"
+
+
+def test_the_grade_of_a_corrected_claim_counts_the_parts_that_stood():
+    two_parts = claim("printed", "corrected", "printed", parts=("u", "u", "v"))
+    found = verdict(
+        two_parts, results("fail", "pass", "pass", grades=("exact", "exact", "numeric"))
+    )
+    assert found == ("corrected", "numeric")

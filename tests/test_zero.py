@@ -97,3 +97,37 @@ def test_combined_evidence_takes_the_weakest_part():
     assert failed.witness == "b: 1 is not 2"
     with pytest.raises(ValueError, match="no parts"):
         combined({}, shown="")
+
+
+X_REAL, X_POSITIVE = sp.Symbol("x", real=True), sp.Symbol("x", positive=True)
+F = sp.Function("f")
+TRAPS = [
+    sp.sin(30 * X_REAL) - sp.sin(30 * X_POSITIVE),
+    sp.sin(U) - 2 * sp.Symbol("_t0") / (1 + sp.Symbol("_t0") ** 2),
+    F(U) - sp.Symbol("_f0"),
+    sp.exp(U) - sp.Symbol("_e0"),
+    sp.sqrt(1 + U) - sp.Symbol("_r0"),
+    sp.sqrt(sp.exp(4 * sp.I * U)) - sp.exp(2 * sp.I * U),
+    sp.sign(sp.sqrt(U)) - 1,
+]
+
+
+@pytest.mark.parametrize("expr", TRAPS, ids=str)
+def test_names_and_assumptions_of_generators_prove_nothing(expr: sp.Expr):
+    assert not vanishes(expr)
+
+
+def test_calls_with_equal_arguments_are_not_told_apart():
+    same = F((U + 1) ** 2) - F(U**2 + 2 * U + 1)
+    assert identities(Setting(), {"same": same}, shown="").outcome != "fail"
+
+
+def test_a_refutation_meets_the_hypotheses():
+    expr = sp.Abs(U) - U
+    assert identities(Setting(), {"abs": expr}, shown="").outcome == "fail"
+    assert identities(Setting(), {"abs": expr}, shown="", where=(U,)).outcome != "fail"
+
+
+def test_a_derivative_that_can_be_carried_out_is_no_unknown():
+    lazy = sp.Derivative(sp.sin(U), U) - sp.cos(U)
+    assert identities(Setting(), {"lazy": lazy}, shown="").outcome == "pass"
