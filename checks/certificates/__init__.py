@@ -1,0 +1,1 @@
+"""Checkers of stored certificates: they import neither theory nor discrete."""
