@@ -6,7 +6,7 @@ v = z^2/(4 u), so that it turns by phi'(z) dz. scipy is imported when a function
 of some 1e-10.
 """
 
-from math import acosh, cos, cosh, sin, sinh, sqrt
+from math import acosh, cos, cosh, pi, sin, sinh, sqrt
 from typing import Any
 
 from theory.errors import DomainError
@@ -30,17 +30,23 @@ def distance(phi0: float, u: float, v: float) -> float:
 
 
 def rim(phi0: float, u: float, radius: float) -> float:
-    """Coordinate v at which the v-line through (u, 0) leaves the disk, for 0 < u < R."""
+    """Coordinate v at which the v-line through (u, 0) leaves the disk, for 0 < u < R.
+
+    Raises DomainError where phi reaches pi before.
+    """
     if not 0 < u < radius:
         raise DomainError(f"u must lie in (0, {radius}), not {u}")
 
     def left(_z: float, state: Any) -> float:
         return float(state[2]) - cosh(radius)
 
-    left.terminal = True  # type: ignore[attr-defined]
-    run = _along(phi0, u, 2 * sqrt(2 * u * radius) + 2, events=[left])
+    def singular(_z: float, state: Any) -> float:
+        return float(state[0]) - pi
+
+    left.terminal = singular.terminal = True  # type: ignore[attr-defined]
+    run = _along(phi0, u, 2 * sqrt(2 * u * radius) + 2, events=[left, singular])
     if not len(run.t_events[0]):
-        raise DomainError(f"the v-line at u = {u} does not leave the disk of radius {radius}")
+        raise DomainError(f"the v-line at u = {u} does not leave the disk before phi = pi")
     return float(run.t_events[0][0]) ** 2 / (4 * u)
 
 

@@ -47,8 +47,8 @@ def surplus(quotient: Any, s: Any) -> Any:
     return quotient * ratio(s * quotient / 2) - s * ratio(s * s / 4)
 
 
-def cover(function: Callable[[Any], Any], start: Any, end: Any) -> tuple[int, Any | None]:
-    """Number of cells that cover [start, end] with function > 0 on them; a place where it is < 0.
+def cover(function: Callable[[Any], Any], start: Any, end: Any) -> tuple[list[Any], Any | None]:
+    """Cells that cover [start, end], function > 0 on each of them; a place where it is < 0, if any.
 
     function: of balls. Place None where it is positive throughout. Raises UndecidedError where a
     cell of the least size does not decide.
@@ -57,12 +57,14 @@ def cover(function: Callable[[Any], Any], start: Any, end: Any) -> tuple[int, An
     for k in range(PROBES + 1):
         probe = (start + (last - start) * k / PROBES).mid()
         if function(probe) < 0:
-            return 0, probe
-    cells, left, width = 0, arb(start), (last - start).mid() / 8
+            return [], probe
+    cells, left, width = [], arb(start), (last - start).mid() / 8
     while not left >= last:
         right = (left + width).min(last).mid()
-        if function(left.union(right)) > 0:
-            cells, left, width = cells + 1, right, width * 2
+        cell = left.union(right)
+        if function(cell) > 0:
+            cells.append(cell)
+            left, width = right, width * 2
         elif width < FINEST_CELL:
             raise UndecidedError("a cell of the least size has no certain sign")
         else:

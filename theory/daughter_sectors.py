@@ -27,15 +27,18 @@ def orientations(daughters: int) -> list[int]:
     return [1 if names[k] == "u" else -1 for k in range(daughters)]
 
 
-def slope_on_shared_edge(orientation: int) -> Any:
-    """Slope phi_v of a daughter along the v-line that it takes from its parent, by the parent's.
+def slope_on_shared_edge(orientation: int, *, family: str) -> Any:
+    """Slope of phi of a daughter along the edge that it takes from its parent, by the parent's p.
 
-    The curve has one geodesic curvature on the surface, which each net gives by its own Christoffel
-    symbols: orientation times that of `edge_curvatures`, whose normal follows the net.
+    family: `u` or `v`, that of the edge. The curve has one geodesic curvature on the surface, which
+    each net gives by its own Christoffel symbols: orientation times that of `edge_curvatures`,
+    whose normal follows the net.
     """
     phi = sp.Function("phi", positive=True)(amsler.U, amsler.V)
     parent, own = sp.symbols("p q", real=True)
-    curvature = sp.simplify(amsler.edge_curvatures(phi, sigma=1)[1])
-    slope = sp.diff(phi, amsler.V)
-    shared = sp.expand(orientation * curvature.subs(slope, own) - curvature.subs(slope, parent))
+    along_u, along_v = amsler.edge_curvatures(phi, sigma=1)
+    curvature, place = (along_u, amsler.U) if family == "u" else (along_v, amsler.V)
+    slope = sp.diff(phi, place)
+    given = sp.simplify(curvature)
+    shared = sp.expand(orientation * given.subs(slope, own) - given.subs(slope, parent))
     return sp.solve(shared, own)[0]

@@ -44,6 +44,7 @@ CLAIMS: tuple[Claim, ...] = (
                 _BELOW + r"; dropped, $\varphi(0, 0) = \phi_n > \phi^*$, and $\phi_n = \phi^*$ "
                 r"leaves $u_n^* = v_n^* = 0$"
             ),
+            _MEET + "; dropped, part 2 asks for more than any angle",
         ),
         rests_on=("5.1.lemma-part-1", "5.1.lemma-part-2"),
         checks=(
@@ -175,6 +176,7 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             r"$\varphi(0) = \phi_n > 0$, $\phi^* < \pi$",
             _BELOW,
+            _MEET,
             r"(read so) the point $(u^*, v^*)$ of the printed formula is $(u_n^*, v_n^*)$",
         ),
         rests_on=("5.1.lemma-lower-bound", "5.1.zeta"),

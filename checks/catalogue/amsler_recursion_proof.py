@@ -232,7 +232,13 @@ CLAIMS: tuple[Claim, ...] = (
         where="proof of (lem:amsler_recursion), line 1532",
         kind="equation",
         statement=r"$\varphi(u_n^*, v_n^*) \geq \phi_n I_0(2 C(\phi^*)\sqrt{u_n^* v_n^*})$.",
-        hypotheses=(_BELOW,),
+        hypotheses=(
+            _BELOW,
+            (
+                r"(used, not stated) $2\sqrt{u_n^* v_n^*} \leq z^*$, as where $u_n^* \leq "
+                r"u_{\max}$ and $v_n^* \leq v_{\max}$"
+            ),
+        ),
         rests_on=("5.1.lemma-cut", "boundCphi*"),
         checks=(
             Check(

@@ -2,6 +2,7 @@
 
 from checks.claim import Check, Claim, Erratum, Mutant
 
+_SMALLEST = "checks.verify.recursion_smallest_angle:"
 _SCALING = "checks.verify.recursion_scaling:"
 _DISK = "checks.verify.recursion_disk:"
 _CERTIFIED = "theory.painleve (balls)"
@@ -63,7 +64,10 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_DISK + "nodes_of_disks",
                 form="support",
                 routes=("place of the lemma", "theory.amsler_disk (circle and contour, float64)"),
-                mutants=(Mutant(name="1/2 for 1/3", given={"daughters": "2"}),),
+                mutants=(
+                    Mutant(name="1/2 for 1/3", given={"daughters": "2"}),
+                    Mutant(name="1/2.97 for 1/3", given={"daughters": "297/100"}, near=True),
+                ),
             ),
         ),
     ),
@@ -135,7 +139,6 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="1/3.03 for 1/3", given={"daughters": "303/100"}, near=True),
                     Mutant(name="1/9 for 1/3", given={"daughters": "9"}),
                     Mutant(name="phi_n 20 times as large", given={"larger": "20"}),
-                    Mutant(name="R = 1/2", given={"radii": "1/2"}),
                 ),
             ),
         ),
@@ -150,12 +153,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"\phi^*/I_0(C'(\phi^*)\sqrt{R})$: if $\phi_0 \geq \phi_{\min}$ then $\phi_n \geq "
             r"\phi_{\min}$ for all $n$."
         ),
-        hypotheses=("every sector is an Amsler sector, its axes no longer than $R$",),
+        hypotheses=(
+            "every sector is an Amsler sector, its axes no longer than $R$",
+            (
+                r"(used, not stated) $R \geq R_0(\phi^*)$: for small $R$, $\phi_{\min}$ is near "
+                r"$\phi^*$ and one trisection falls below it"
+            ),
+        ),
         rests_on=("rem:amsler_scaling", "5.1.small-angles-grow"),
         checks=(
             Check(
                 name="as printed",
-                run=_SCALING + "smallest_angle",
+                run=_SMALLEST + "smallest_angle",
                 routes=("printed phi_min", _CERTIFIED),
                 mutants=(
                     Mutant(name="C' = 2", given={"constants": "2"}),
@@ -164,7 +173,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="R >= 4 C",
-                run=_SCALING + "smallest_angle",
+                run=_SMALLEST + "smallest_angle",
                 form="corrected",
                 given={"quotient": "4"},
                 routes=("bound of the remark", _GROWTH),
@@ -179,7 +188,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="a third of it for every R",
-                run=_SCALING + "smallest_angle",
+                run=_SMALLEST + "smallest_angle",
                 form="corrected",
                 given={"divisor": "3"},
                 routes=("bound of the remark", _GROWTH),
@@ -191,7 +200,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="larger R",
-                run=_SCALING + "growth_rate",
+                run=_SMALLEST + "growth_rate",
                 form="support",
                 routes=("derivative of x I_1/I_0", "sign by I_1 < I_0"),
                 mutants=(
@@ -201,10 +210,11 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="twelve generations",
-                run=_SCALING + "recursion_run",
+                run=_SMALLEST + "recursion_run",
                 form="support",
                 routes=("phi_min with C' = sqrt(2 x_0/C)", _CERTIFIED),
                 mutants=(
+                    Mutant(name="C' 1 % less", given={"scale": "99/100"}, near=True),
                     Mutant(name="half of C'", given={"scale": "1/2"}),
                     Mutant(name="a quarter of C'", given={"scale": "1/4"}),
                 ),
@@ -252,6 +262,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="monotone constant",
                 run="checks.verify.recursion_angle:sine_quotient",
+                part="C",
                 routes=("derivative of sin t/t", "signs by the tangent of the half-angle"),
                 mutants=(
                     Mutant(name="C^2 1 % larger", given={"scale": "101/100"}, near=True),
@@ -260,7 +271,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="constants on [1/100, 3]",
-                run=_SCALING + "cutoff_dependence",
+                run=_SMALLEST + "cutoff_dependence",
+                part="C' and phi_min",
                 routes=("constants for phi* = 3", "constants for each phi*"),
                 mutants=(
                     Mutant(name="phi* = 3.03", given={"levels": "303/100"}, near=True),

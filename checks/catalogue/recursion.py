@@ -22,7 +22,7 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("fig:cutsketch",),
         hypotheses=(
             "(used, not stated) the contours are those of an Amsler sector",
-            "the sketch has no scale: tested are the incidences, on four sectors about the centre",
+            "the sketch has no scale: tested are the incidences, on five sectors about the centre",
         ),
         rests_on=("5.1.cut-from-L-region",),
         checks=(
@@ -81,6 +81,10 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(
             "(used, not stated) $u_n^*$ and $v_n^*$ are the largest with this property",
+            (
+                r"(used, not stated) $\varphi$ is asked for on all of $\Omega$ along the axes, and "
+                "inside $\\Omega$ only"
+            ),
             r"$u_{\max}$ and $v_{\max}$ are the lengths of the axes in $\Omega$, as in the figure",
         ),
         rests_on=("5.1.new-generation", "alg:greedy-cuts"),

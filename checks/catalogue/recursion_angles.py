@@ -36,7 +36,11 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"$\varphi$ increases in $u$ and in $v$, because $\varphi_{uv} = \sin\varphi > 0$."
         ),
-        hypotheses=(r"$0 < \varphi < \pi$", r"(used, not stated) $\sigma = +1$ in the sector"),
+        hypotheses=(
+            r"$0 < \varphi < \pi$",
+            _RISE,
+            r"(used, not stated) $\sigma = +1$ in the sector",
+        ),
         rests_on=("eq:sg",),
         checks=(
             Check(
@@ -130,6 +134,7 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             "net or surface made by the greedy algorithm",
             r"(used, not stated) the origin counts as generation $0$ with angle $\phi_0$",
+            r"(used, not stated) $\varphi$ reaches $\phi^*$ somewhere: otherwise only $\leq$ holds",
             _RISE,
         ),
         rests_on=(

@@ -63,6 +63,12 @@ def ratio_bound(
     return c * x**power / _times(factor, length), _times(daughters, length / length)
 
 
+def least_angle(level: Any, rate: Any, root: Any, bessel: Any, *, divisor: str = "1") -> Any:
+    """Angle phi_min of rem:amsler_scaling; rate: C', root: sqrt(R), bessel: the function I_0."""
+    exact = Fraction(divisor)
+    return level * exact.denominator / exact.numerator / bessel(rate * root)
+
+
 def energies(
     least: Any, level: Any, field: Any, *, share: str = "1", exchanged: bool = False
 ) -> Any:

@@ -133,7 +133,7 @@ def sine_quotient(setting: Setting, *, scale: str = "1", root: bool = True) -> E
                 shown="signs",
             ),
         },
-        shown="(sin t/t)' = (t cos t - sin t)/t^2, whose numerator is 0 at 0 and has the derivative "
+        shown="(sin t/t)' = (t cos t - sin t)/t^2, whose numerator is 0 at 0 and has the slope "
         "-t sin t < 0 on (0, pi): sin t/t falls from 1, so C^2 = sin phi*/phi* < 1 is the largest "
         "constant on (0, phi*]; t - sin t grows from 0",
     )
@@ -195,7 +195,7 @@ def linear_solution(
 def wronskian(setting: Setting, *, power: int = 2, upper: str = "1", sine: int = 1) -> Evidence:
     """Growth of phi/(phi_n I_0(C z)) and fall of phi/(phi_n I_0(z)), for every phi_n and phi*."""
     u, v = comparison.unknowns()
-    q, gap = sp.symbols("q gap", positive=True)
+    gap = sp.Symbol("gap", positive=True)
     c = sp.Symbol("C", positive=True)
     top = sp.Rational(upper)
     linear = [-printed.linear_side(v, 0, 0, Z, k, power=power) for k in (c, top)]

@@ -16,7 +16,13 @@ from theory import amsler_disk, painleve, painleve_float
 #: Errors of the layout are some 1e-10.
 TOLERANCE = 1e-8
 #: Openings, thresholds and radii; the first is the example of section 4.1.
-DISKS = ((pi / 2, 3 * pi / 4, 3.0), (pi / 2, 3.0, 2.0), (1.0, 2.8, 4.0), (0.3, 2.2, 5.0))
+DISKS = (
+    (pi / 2, 3 * pi / 4, 3.0),
+    (pi / 2, 3.0, 2.0),
+    (1.0, 2.8, 4.0),
+    (0.3, 2.2, 5.0),
+    (2.0, 2.2, 2.0),
+)
 FloatRow = tuple[str, float, float]
 
 
@@ -44,9 +50,10 @@ def crossing_of_circle(opening: float, radius: float, contour: float) -> float:
     from scipy.optimize import brentq
 
     def excess(u: float) -> float:
-        return u * amsler_disk.rim(opening, u, radius) - contour**2 / 4
+        return amsler_disk.distance(opening, u, contour**2 / (4 * u)) - radius
 
-    return float(brentq(excess, radius * 1e-3, contour / 2, xtol=1e-13))
+    # The v-line that meets the contour at v = 2 R + 1 has left the disk before.
+    return float(brentq(excess, contour**2 / (8 * radius + 4), contour / 2, xtol=1e-13))
 
 
 def strip_of_disk(setting: Setting, *, domain: str = "rectangles", share: str = "1") -> Evidence:
@@ -154,7 +161,7 @@ def nodes_of_disks(setting: Setting, *, daughters: str = "3", best: bool = False
     return compared(
         rows(),
         shown="the node of the disk is farther out than that of the lemma, and "
-        "phi_{n+1} above the bound, for four disks",
+        "phi_{n+1} above the bound, for five disks",
     )
 
 

@@ -121,7 +121,7 @@ def part_1(
     return bounded(
         rows(),
         shown="phi <= phi* at the corners of the L-shaped region, where z is "
-        "largest, for fifteen rectangles, small ones among them",
+        "largest, for sixteen rectangles, small ones among them",
     )
 
 
@@ -247,7 +247,7 @@ def no_constant_at_pi(
 
 
 def threshold_at_start(setting: Setting, *, level: str = "1") -> Evidence:
-    """Whether phi_n = phi* leaves no u_n*, v_n* > 0: phi > phi* = level from z = 0 on, phi_n = 1."""
+    """Whether phi_n = 1 = phi* leaves no u_n*, v_n* > 0: phi > phi* = level from z = 0 on."""
     del setting
 
     def rows() -> Iterator[Row]:

@@ -169,8 +169,10 @@ def shared_axes(setting: Setting, *, number: int = 3, reversed_side: bool = Fals
     turns = daughter_sectors.orientations(number)
     first, last = (-turns[0], -turns[-1]) if reversed_side else (turns[0], turns[-1])
     slopes = {
-        name: daughter_sectors.slope_on_shared_edge(turn).subs(parent, p)
-        for name, turn in (("side of the u-edge", first), ("side of the v-edge", last))
+        f"edge of family {family}": daughter_sectors.slope_on_shared_edge(turn, family=family).subs(
+            parent, p
+        )
+        for family, turn in (("u", first), ("v", last))
     }
     return combined(
         {
