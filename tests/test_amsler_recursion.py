@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 from flint import arb
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 from scipy.special import i0, i1, iv
 
 from theory import (
@@ -184,3 +185,24 @@ def test_the_linear_solution_is_a_bound_below_and_fails_for_a_larger_constant():
     grown = run.y[0, -1] / phi_n
     assert iv(0, 0.2 * c) < grown < iv(0, 0.2)
     assert grown < iv(0, 0.2 * 1.01 * c)
+
+
+def test_the_numbers_that_the_errata_quote():
+    """Witnesses of section 5.1 in float64, by scipy alone and by the Runge-Kutta solution."""
+    x = brentq(lambda t: i0(t) - 22.5, 0, 10)  # phi* = 9/4, phi_n = 1/10
+    assert x**2 == pytest.approx(22.9, abs=0.05)  # u_max = v_max = 1/2: zeta_n = X^2
+    assert 0.1 * i0(sqrt(sin(2.25) / 2.25) * x**2) > 7700
+    assert painleve_float.angle(0.1, 1.0) < 0.127
+    assert painleve_float.angle(0.1, x**2) == pytest.approx(2.94, abs=0.005)
+    assert 2.25 / i0(1) == pytest.approx(1.777, abs=0.001)
+    last = painleve_float.crossing(279 / 128, 2.25)
+    assert painleve_float.angle(279 / 128, last**2 / 2) / 3 == pytest.approx(0.729, abs=0.001)
+    assert painleve_float.diagonal(pi / 2, 2.54) == pytest.approx(1.26, abs=0.005)
+
+
+def test_the_recursion_tends_to_the_angle_that_the_remark_quotes():
+    angle, radius = 2.2, 10.0
+    for _ in range(60):
+        place = painleve_float.crossing(angle, 2.25)
+        angle = painleve_float.angle(angle, place**2 / (2 * radius)) / 3
+    assert angle == pytest.approx(0.0168, abs=5e-5)

@@ -11,7 +11,7 @@ _MEET = (
     r"$u_n^* \leq u_{\max}$ and $v_n^* \leq v_{\max}$"
 )
 _WITNESS = (
-    r"$\phi_n = 1/10$, $\phi^* = 9/4$, $u_{\max} = v_{\max} = 1/2$: $\zeta_n = 24.5$ and $\phi_n "
+    r"$\phi_n = 1/10$, $\phi^* = 9/4$, $u_{\max} = v_{\max} = 1/2$: $\zeta_n = 22.9$ and $\phi_n "
     r"I_0(C\zeta_n) > 7700$, while $\varphi \leq 0.127$ on the rectangle and $\varphi < 2\pi$ "
     "wherever (PIII) is continued"
 )
@@ -201,6 +201,16 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="C = 1", given={"meets": True, "best": True}),
                     Mutant(name="zeta_n twice as large", given={"meets": True, "factor": "1"}),
                     Mutant(name="every rectangle", given={"meets": False}),
+                ),
+            ),
+            Check(
+                name="from the bounds",
+                run=_LEMMA + "corner_inside",
+                form="support",
+                routes=("cut of the proof", "sides of the rectangle"),
+                mutants=(
+                    Mutant(name="X up to twice as large", given={"share": "2"}),
+                    Mutant(name="2 for 4", given={"factor": "2"}),
                 ),
             ),
         ),

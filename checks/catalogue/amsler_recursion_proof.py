@@ -279,7 +279,7 @@ CLAIMS: tuple[Claim, ...] = (
             kind="hypothesis",
             witness=(
                 r"$\phi_n = 1/10$, $\phi^* = 9/4$, $u_{\max} = v_{\max} = 1/2$: $2\sqrt{u_n^* "
-                r"v_n^*} = 24.5 > z^*$; there $\varphi = 2.94$, the bound is above $7700$"
+                r"v_n^*} = 22.9 > z^*$; there $\varphi = 2.94$, the bound is above $7700$"
             ),
             conclusion_survives=True,
             remark="The fault of lem:amsler_recursion, where (boundCphi*) is used beyond $z^*$.",

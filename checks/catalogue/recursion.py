@@ -150,7 +150,7 @@ CLAIMS: tuple[Claim, ...] = (
                 r"A geodesic disk about the apex need not lie in $[0, u_{\max}] \times [0, "
                 r"v_{\max}]$: for $\phi_n = \pi/2$ the point $u = v = 1.27$ is $1.26$ from the "
                 "apex. The algorithm, and section 4.1, use the intersection; the two places are "
-                "about 1 % apart here."
+                "2 % apart here."
             ),
         ),
     ),

@@ -94,6 +94,23 @@ def zeta_of_cut(setting: Setting, *, factor: str = "2", power: int = 2) -> Evide
     )
 
 
+def corner_inside(setting: Setting, *, factor: str = "4", share: str = "1") -> Evidence:
+    """Corner of the cut where X is below share times 2 sqrt(u_max v_max), by any margin."""
+    x, u_max, margin = sp.symbols("X u_max margin", positive=True)
+    v_max = (x * (1 + margin) / (2 * sp.Rational(share))) ** 2 / u_max
+    u, v = printed.cut(x, u_max, v_max, factor=factor)
+    return positivity(
+        setting,
+        {
+            "u_max - u_n*": u_max - u,
+            "v_max - v_n*": v_max - v,
+            "X^2 - zeta_n^2": x**2 - printed.zeta(x, u_max, v_max, sp) ** 2,
+        },
+        shown="where X < 2 sqrt(u_max v_max) the corner is in the rectangle and zeta_n < X <= z*: "
+        "part 2 is (boundCphi*) at z = zeta_n",
+    )
+
+
 def part_1(
     setting: Setting, *, grown: str = "1", initial: str = "", level: str = "", factor: str = "4"
 ) -> Evidence:
