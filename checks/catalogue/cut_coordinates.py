@@ -139,8 +139,8 @@ CLAIMS: tuple[Claim, ...] = (
             remark=(
                 r"The inequality is offered as the intuition for $\alpha_n$. Reversed, it gives "
                 r"$\zeta_n \leq 2\alpha_n^2$: $\alpha_n$ bounds the argument of the lemma from "
-                r"above, not from below, and a bound below needs $u_{\max} v_{\max} \leq Cs_n^2$ as "
-                r"well. What the argument for all sectors needs is $s_n \leq R$ alone, which holds."
+                r"above; from below one needs $u_{\max} v_{\max} \leq Cs_n^2$ as well. What the "
+                r"argument for all sectors needs is $s_n \leq R$ alone, which holds."
             ),
         ),
     ),
