@@ -15,9 +15,9 @@ from theory import (
     bessel_growth,
     comparison,
     daughter_sectors,
-    geodesic_ray,
     kink,
     painleve_float,
+    rim_distance,
 )
 from theory.errors import DomainError, UndecidedError
 
@@ -111,17 +111,16 @@ def test_kinks_solve_the_sine_gordon_equation(a):
 @pytest.mark.parametrize(("start", "alpha"), [(0.4, 0.3), (1.1, 2.0), (0.0, 1.0)])
 def test_a_ray_keeps_the_law_of_cosines(start, alpha):
     length = 1.7
-    found = float(geodesic_ray.cosh_distance(length, start, alpha))
+    found = float(rim_distance.cosh_radius(start, cos(alpha), length))
     assert found == pytest.approx(
         cosh(start) * cosh(length) + sinh(start) * sinh(length) * cos(alpha)
     )
 
 
 def test_at_the_least_cosine_the_ray_is_as_long_as_the_radius():
-    place = {geodesic_ray.D: 0.8, geodesic_ray.R: 2.0}
-    least = float(geodesic_ray.least_cosine().subs(place))
+    least = float(rim_distance.least_cosine(2.0, 0.8))
     assert least == pytest.approx(-tanh(0.4) / tanh(2.0))
-    reached = acosh(float(geodesic_ray.cosh_distance(2.0, 0.8, acos(least))))
+    reached = acosh(float(rim_distance.cosh_radius(0.8, least, 2.0)))
     assert reached == pytest.approx(2.0)
 
 

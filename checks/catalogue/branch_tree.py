@@ -1,6 +1,8 @@
 """Claims of section 5.1, the tree of branch points: its shape, size and depth."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
+
+_COUNT = "checks.verify.branch_count:"
 
 _TREE = r"$R = 4$, $\phi_0 = \pi/2$, $\phi^* = 3\pi/4$"
 
@@ -88,6 +90,19 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) the immersion attains the order of the infimum in (ebs)",
         ),
         rests_on=("e2", "ebs"),
+        checks=(
+            Check(
+                name="contradiction",
+                run=_COUNT + "free_region",
+                routes=("(e2) on the part, from below", "(ebs) on the whole, from above"),
+                mutants=(
+                    Mutant(name="size R^(2/5)", given={"power": "2/5"}, near=True),
+                    Mutant(name="(e2) with sqrt R", given={"patch": "1/2"}),
+                    Mutant(name="(ebs) with R", given={"branched": "1"}),
+                    Mutant(name="no constants", given={"constants": "dropped"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="5.1.area-of-disk",
@@ -97,6 +112,18 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"The area of a disk of radius $R$ scales like $\exp(R)$.",
         hypotheses=(r"(used, not stated) as $R \to \infty$",),
         rests_on=("def:H2",),
+        checks=(
+            Check(
+                name="limit",
+                run=_COUNT + "disk_area",
+                routes=("printed law", "integral of the area element of the disk model"),
+                mutants=(
+                    Mutant(name="exp(2 R)", given={"rate": "2"}),
+                    Mutant(name="exp(1.1 R)", given={"rate": "11/10"}, near=True),
+                    Mutant(name="exp(R/2)", given={"rate": "1/2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="5.1.area-free-of-branch-points",
@@ -111,6 +138,24 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) the constant in front of $\sqrt{R}$ is $1$",
         ),
         rests_on=("5.1.branch-free-region", "5.1.area-of-disk"),
+        checks=(
+            Check(
+                name="logarithms",
+                run=_COUNT + "free_area",
+                routes=("printed exponent", "area of a disk of radius k sqrt R"),
+                mutants=(
+                    Mutant(name="exp(R^(2/5))", given={"power": "2/5"}, near=True),
+                    Mutant(name="exp(R)", given={"power": "1"}),
+                ),
+            ),
+            Check(
+                name="constant 1",
+                run=_COUNT + "free_area_order",
+                form="support",
+                routes=("printed exponent", "area of a disk of radius sqrt R"),
+                mutants=(Mutant(name="radius 2 sqrt R", given={"constant": 2}),),
+            ),
+        ),
     ),
     Claim(
         id="5.1.number-of-branch-points",
@@ -126,6 +171,25 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) no part is smaller than the largest by more than a constant factor",
         ),
         rests_on=("5.1.area-free-of-branch-points", "5.1.area-of-disk"),
+        checks=(
+            Check(
+                name="quotient of areas",
+                run=_COUNT + "number",
+                routes=("printed law", "areas of disks of radius R and sqrt R"),
+                mutants=(
+                    Mutant(name="exp(R - 2 sqrt R)", given={"factor": "2"}),
+                    Mutant(name="exp(R - R^(2/5))", given={"power": "2/5"}, near=True),
+                    Mutant(name="not spread evenly", given={"spread": "none"}),
+                ),
+            ),
+            Check(
+                name="what free disks alone enforce",
+                run=_COUNT + "fewest_number",
+                form="support",
+                routes=("exp(R - 2 sqrt R)", "cover of the disk of radius R - sqrt R"),
+                mutants=(Mutant(name="exp(R - sqrt R)", given={"factor": "1"}),),
+            ),
+        ),
     ),
     Claim(
         id="5.1.exponential-in-generations",
@@ -138,6 +202,18 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("(used, not stated) most branch points have more than one daughter",),
         rests_on=("5.1.at-most-three-daughters",),
+        checks=(
+            Check(
+                name="trees of two and three daughters",
+                run=_COUNT + "generations",
+                routes=("printed base", "sums over the generations"),
+                mutants=(
+                    Mutant(name="base 2", given={"most": 2}, near=True),
+                    Mutant(name="base 4", given={"most": 4}, near=True),
+                    Mutant(name="one daughter each", given={"fewest": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="5.1.cut-depth",
@@ -151,6 +227,18 @@ CLAIMS: tuple[Claim, ...] = (
             "5.1.exponential-in-generations",
             "5.scaling-symbol",
         ),
+        checks=(
+            Check(
+                name="depth of a full tree",
+                run=_COUNT + "depth",
+                routes=("printed depth", "generations of a tree of exp(R - sqrt R) nodes"),
+                mutants=(
+                    Mutant(name="R - 2 sqrt R", given={"factor": "2"}),
+                    Mutant(name="R - sqrt(R)/2", given={"factor": "1/2"}),
+                    Mutant(name="R - R^(2/5)", given={"power": "2/5"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="5.1.slope-of-cut-depth",
@@ -160,6 +248,18 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$R - \sqrt{R}$ is nearly linear, and its slope increases slowly.",
         hypotheses=("$R > 1$",),
         rests_on=("5.1.cut-depth",),
+        checks=(
+            Check(
+                name="derivatives",
+                run=_COUNT + "slope",
+                routes=("printed depth", "derivatives and their limits"),
+                mutants=(
+                    Mutant(name="R + sqrt R", given={"factor": "-1"}),
+                    Mutant(name="R - R", given={"power": "1"}),
+                    Mutant(name="R - 3 sqrt R", given={"factor": "3"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="5.1.cut-depth-observed",

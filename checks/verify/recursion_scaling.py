@@ -15,7 +15,7 @@ from checks.printed import amsler_recursion as printed
 from checks.verify import initial_angles
 from checks.verify.ball_bounds import Row, bounded
 from checks.verify.recursion_lemma import CASES, constant, sides_of, threshold_place
-from theory import bessel, geodesic_ray
+from theory import bessel, rim_distance
 
 
 def recursion_bound(
@@ -82,12 +82,12 @@ def axes_below_radius(setting: Setting, *, cosine: str = "0", share: str = "1") 
     cosine: least cosine of its angle to the direction away from the centre; share: of the sharp
     value -tanh(d/2)/tanh R, at which the axis is R long.
     """
-    d, radius, alpha = geodesic_ray.D, geodesic_ray.R, geodesic_ray.ALPHA
-    c, length = sp.Symbol("c", positive=True), geodesic_ray.L
-    along = geodesic_ray.cosh_distance(length, d, alpha)
-    at_radius = geodesic_ray.cosh_distance(radius, d, alpha)
+    d, radius, length, c = sp.symbols("d R l c", positive=True)
+    towards = sp.Symbol("a", real=True)
+    along = rim_distance.cosh_radius(d, towards, length)
+    at_radius = rim_distance.cosh_radius(d, towards, radius)
     sharp = -sp.Rational(share) * sp.tanh(d / 2) / sp.tanh(radius)
-    outward = at_radius.subs(sp.cos(alpha), sp.Rational(cosine) + c / (1 + c))
+    outward = at_radius.subs(towards, sp.Rational(cosine) + c / (1 + c))
     return combined(
         {
             "ray": identities(
@@ -95,8 +95,8 @@ def axes_below_radius(setting: Setting, *, cosine: str = "0", share: str = "1") 
                 {
                     "cosh of the distance, twice derived": along.diff(length, 2) - along,
                     "start": along.subs(length, 0) - sp.cosh(d),
-                    "sharp cosine": at_radius.subs(sp.cos(alpha), sharp) - sp.cosh(radius),
-                    "solved": geodesic_ray.least_cosine() - sharp,
+                    "sharp cosine": at_radius.subs(towards, sharp) - sp.cosh(radius),
+                    "solved": rim_distance.least_cosine(radius, d) - sharp,
                 },
                 shown="ray",
             ),

@@ -1,0 +1,269 @@
+"""Claims of section 5.1, all sectors: the curves of the scatter plots, the bounds observed."""
+
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_CUTS = "checks.verify.cut_coordinates:"
+_QUADRATIC = "checks.verify.supporting_quadratic:"
+_CERTIFIED = "theory.bessel (balls)"
+_REFERENCE = "theory.bessel_reference (mpmath)"
+_RUN = "measured on runs of the greedy algorithm"
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="fig:frontier",
+        section="5.1",
+        where="figure (fig:frontier), lines 1551 and 1556-1577",
+        kind="figure",
+        statement=(
+            r"$\phi_{n+1}/\phi_n$ against $\alpha_n^2$ at each cut, with $f_1$ and $f_2$: (a) $R "
+            r"= 8$, $\phi_0 = \pi/6$, $\phi^* = 4\pi/5$; (b) $R = 8$, $\phi_0 = \pi/2$, $\phi^* "
+            r"= 3\pi/4$; (c) $R = 10$, $\phi_0 = \pi/4$, $\phi^* = 4\pi/5$."
+        ),
+        labels=(
+            "fig:frontier",
+            "fig:frontierR8phi016",
+            "fig:frontierR8phi012",
+            "fig:frontierR10phi014",
+        ),
+        hypotheses=(r"(used, not stated) $\Delta$ is not given",),
+        rests_on=("alg:greedy-cuts", "eq:cut-coordinates", "5.1.alpha-star"),
+    ),
+    Claim(
+        id="5.1.alpha-star",
+        section="5.1",
+        where="section 5.1, line 1551",
+        kind="definition",
+        statement=(
+            r"$f_1(\alpha) = \frac13 I_0(2\alpha^2)$ and $\alpha^* = \sup_{w \geq "
+            r"0}\frac{w}{\sqrt{f_1(w)}}$."
+        ),
+        checks=(
+            Check(
+                name="largest quotient",
+                run=_QUADRATIC + "largest_quotient",
+                routes=("printed quotient, by subdivision of [0, 8]", _CERTIFIED),
+                mutants=(
+                    Mutant(name="I_0(2.02 w^2)", given={"inside": "101/50"}, near=True),
+                    Mutant(name="I_0(2 w^3)", given={"power": 3}),
+                ),
+            ),
+            Check(
+                name="where it is taken",
+                run=_QUADRATIC + "taken",
+                form="support",
+                routes=(_CERTIFIED, _REFERENCE),
+                mutants=(
+                    Mutant(name="I_0(w^2)", given={"inside": "1"}),
+                    Mutant(name="I_0(2.02 w^2)", given={"inside": "101/50"}, near=True),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="5.1.supporting-quadratic",
+        section="5.1",
+        where="section 5.1, line 1551",
+        kind="equation",
+        statement=(
+            r"$f_2(\alpha) = (\alpha/\alpha^*)^2$ supports $f_1$: $f_2 \leq f_1$ everywhere, "
+            r"with equality at some $\alpha > 0$."
+        ),
+        rests_on=("5.1.alpha-star",),
+        checks=(
+            Check(
+                name="tangent",
+                run=_QUADRATIC + "supports",
+                routes=("printed f_2", "value, slope and convexity of f_1 in alpha^2"),
+                mutants=(
+                    Mutant(name="1 % more", given={"factor": "101/100"}, near=True),
+                    Mutant(name="1 % less", given={"factor": "99/100"}, near=True),
+                    Mutant(name="cubic", given={"power": 3}),
+                ),
+            ),
+            Check(
+                name="below, cell by cell",
+                run=_QUADRATIC + "below",
+                form="support",
+                routes=("printed f_2", "enclosures of f_1 on cells of [0, 4]"),
+                mutants=(
+                    Mutant(name="1 % more", given={"factor": "101/100"}, near=True),
+                    Mutant(name="a tenth more", given={"factor": "11/10"}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="5.1.supporting-constant",
+        section="5.1",
+        where="caption of figure (fig:frontier), line 1575",
+        kind="number",
+        statement=r"$f_2(\alpha) \approx 0.73\,\alpha^2$, that is $(\alpha^*)^{-2} \approx 0.73$.",
+        rests_on=("5.1.supporting-quadratic",),
+        checks=(
+            Check(
+                name="two places",
+                run=_QUADRATIC + "constant",
+                routes=(_CERTIFIED, _REFERENCE),
+                mutants=(
+                    Mutant(name="0.74", given={"value": "0.74"}, near=True),
+                    Mutant(name="0.72", given={"value": "0.72"}, near=True),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="5.1.infimum-is-alpha-star",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="equation",
+        statement=r"$\inf_{w > 0}\frac{I_0(2w^2)}{3w^2} = (\alpha^*)^{-2}$.",
+        rests_on=("5.1.alpha-star",),
+        checks=(
+            Check(
+                name="quotients",
+                run=_QUADRATIC + "infimum",
+                routes=("printed quotient", "power -2 of the quotient of alpha*"),
+                mutants=(
+                    Mutant(name="2 w^2 below", given={"under": 2}),
+                    Mutant(name="I_0(w^2)", given={"inside": "1"}),
+                    Mutant(name="w below", given={"power": 1}),
+                ),
+            ),
+            Check(
+                name="least value",
+                run=_QUADRATIC + "least_value",
+                form="support",
+                routes=("printed quotient, by subdivision of [1/4, 4]", _CERTIFIED),
+                mutants=(
+                    Mutant(name="I_0(2.02 w^2)", given={"inside": "101/50"}, near=True),
+                    Mutant(name="4 w^2 below", given={"under": 4}),
+                ),
+            ),
+        ),
+    ),
+    Claim(
+        id="5.1.plots-agree",
+        section="5.1",
+        where="section 5.1, observation 1, line 1553",
+        kind="sentence",
+        statement=(
+            r"The plots do not depend on $\phi_0$, $\phi^*$ and $R$ once there are enough branch "
+            "points."
+        ),
+        hypotheses=(r"$\pi/6 \leq \phi_0 < \phi^* \leq 4\pi/5$, $R \geq 6$", _RUN),
+        rests_on=("fig:frontier",),
+    ),
+    Claim(
+        id="5.1.two-families",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="sentence",
+        statement=(
+            "The points fall into two families, those of Amsler and of pseudo-Amsler sectors."
+        ),
+        hypotheses=(_RUN,),
+        rests_on=("fig:frontier", "5.1.most-sectors-pseudo-amsler"),
+    ),
+    Claim(
+        id="5.1.amsler-nodes",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="equation",
+        statement=r"At Amsler nodes $\frac{\phi_{n+1}}{\phi_n} \geq \frac13 I_0(2\alpha_n^2)$.",
+        hypotheses=(
+            _RUN,
+            (
+                r"(used, not stated) the branch point sits on the contours of $\varphi$ itself, "
+                "not where the lemma puts it"
+            ),
+        ),
+        rests_on=("5.1.two-families", "rem:amsler_scaling"),
+    ),
+    Claim(
+        id="5.1.best-possible-bound",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="sentence",
+        statement=(
+            r"$\frac13 I_0(2\alpha_n^2)$ is the best bound that the lemma could give, that with "
+            r"$C(\phi^*) = 1$."
+        ),
+        hypotheses=(r"(used, not stated) $\zeta_n = 2\alpha_n^2$",),
+        rests_on=("lem:amsler_recursion", "5.1.zeta-against-alpha"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_CUTS + "best_bound",
+                routes=("printed bound", "corner of the cut (theory.cut_corner)"),
+                mutants=(Mutant(name="I_0(alpha_n^2)", given={"inside": "1"}),),
+            ),
+            Check(
+                name="axes of length s_n",
+                run=_CUTS + "best_bound",
+                form="corrected",
+                given={"axes": "radial"},
+                routes=("printed bound", "corner of the cut (theory.cut_corner)"),
+                mutants=(
+                    Mutant(name="C = 9/10", given={"constant": "9/10"}),
+                    Mutant(name="I_0(alpha_n^2)", given={"inside": "1"}),
+                    Mutant(name="any axes", given={"axes": "any"}),
+                ),
+            ),
+            Check(
+                name="larger than the lemma's",
+                run=_CUTS + "lemma_bound_below",
+                form="support",
+                routes=("printed bound", "corner of the cut (theory.cut_corner)"),
+                mutants=(Mutant(name="I_0(alpha_n^2)", given={"inside": "1"}),),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$\frac13 I_0(2\alpha_n^2)$ is the best possible bound of the lemma, that with "
+                "$C = 1$"
+            ),
+            corrected=(
+                r"the lemma with $C = 1$ has $\frac13 I_0(\zeta_n) \leq \frac13 "
+                r"I_0(2\alpha_n^2)$; the two agree where $u_{\max} v_{\max} = s_n^2$, as for the "
+                "sectors at the centre"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"$s_n = 3$, $u_{\max} = v_{\max} = 3.09$ (branch point at distance $1$ from the "
+                r"centre of the disk $R = 4$, axes at the cosine $4/5$), $X = 6$: $2\alpha_n^2 = "
+                r"6$, but $\zeta_n = 5.82$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"So the bound that the Amsler nodes are observed to obey is stronger than what "
+                r"the lemma could give, except at the centre. By the strict bound $\varphi(z) < "
+                r"\phi_n I_0(z)$ a branch point put where the lemma has it gives less than "
+                r"$\frac13 I_0(\zeta_n)$."
+            ),
+        ),
+    ),
+    Claim(
+        id="5.1.pseudo-amsler-violate",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="sentence",
+        statement=(
+            r"Pseudo-Amsler nodes do not satisfy $\frac{\phi_{n+1}}{\phi_n} \geq \frac13 "
+            r"I_0(2\alpha_n^2)$."
+        ),
+        hypotheses=(_RUN,),
+        rests_on=("5.1.two-families",),
+    ),
+    Claim(
+        id="5.1.pseudo-amsler-nodes",
+        section="5.1",
+        where="section 5.1, observation 2, line 1554",
+        kind="equation",
+        statement=(
+            r"At pseudo-Amsler nodes $\frac{\phi_{n+1}}{\phi_n} \geq \max\left(\frac13, "
+            r"\left(\frac{\alpha_n}{\alpha^*}\right)^2\right)$."
+        ),
+        hypotheses=(_RUN,),
+        rests_on=("5.1.two-families", "5.1.infimum-is-alpha-star"),
+    ),
+)
