@@ -1,7 +1,7 @@
 """Theory of the recursion on Amsler sectors: comparison, growth of I_0, rays, layout, daughters."""
 
 from itertools import pairwise
-from math import acos, acosh, cos, cosh, pi, sin, sinh, sqrt, tanh
+from math import acosh, cos, cosh, pi, sin, sinh, sqrt, tanh
 
 import pytest
 import sympy as sp
