@@ -1,6 +1,7 @@
 """Objects of the opening of section 5: rays, helicoidal nets, edges, bounds of the energy."""
 
 from fractions import Fraction
+from itertools import pairwise
 from math import cos, log, pi, sin, sqrt
 
 import pytest
@@ -33,7 +34,7 @@ def test_a_small_disk_is_flat():
 def test_the_order_of_the_runge_kutta_method():
     fine = rim_point(1.0, 0.3, 1.5, steps=96)[0]
     errors = [abs(rim_point(1.0, 0.3, 1.5, steps=n)[0] - fine) for n in (6, 12, 24)]
-    orders = [log(a / b, 2) for a, b in zip(errors, errors[1:], strict=False)]
+    orders = [log(a / b, 2) for a, b in pairwise(errors)]
     # phi is a function of u v, smooth at the apex: the full order is seen.
     assert all(3.5 < order < 5.5 for order in orders)
 
@@ -113,7 +114,7 @@ def test_the_edge_for_a_hundred_half_sectors():
 def test_the_least_curvature_grows_with_the_disk():
     radii = [Fraction(k, 2) for k in range(2, 13)]
     values = [periodic_amsler.max_curvature(r).ball() for r in radii]
-    assert all(not a > b for a, b in zip(values, values[1:], strict=False))
+    assert all(not a > b for a, b in pairwise(values))
     assert values[-1] > sqrt(2) * values[0]
 
 
@@ -124,4 +125,25 @@ def test_a_range_that_the_proof_does_not_reach_is_undecided():
 
 def test_a_linear_bound_does_not_exist_near_zero():
     found = energy_scaling.scaling_symbol(Setting())
-    assert found.outcome == "fail" and "log cosh R" in found.witness
+    assert found.outcome == "fail"
+    assert "log cosh R" in found.witness
+
+
+def test_a_disk_that_touches_the_edge_of_the_bobbin_has_finite_energy():
+    """Radius L about the throat: max curvature infinite, bending energy finite (kappa = 1).
+
+    By the density over (theta, y), y = sinh s: 1/2 (2/(1 - y) + ...), weighted by the width of the
+    disk, cosh L = cosh s cosh tau.
+    """
+    length = float(sp.asinh(1))
+
+    def width(y: float) -> float:
+        return float(sp.acosh(sp.cosh(length) / sp.sqrt(1 + sp.Float(y) ** 2)))
+
+    density = sp.lambdify("y", bobbin.bending_density(sp.Symbol("y")).subs(bobbin.KAPPA, 1))
+    energies = [
+        quad(lambda y: density(y) * width(y), 0, 1 - 10.0**-k, limit=200, epsrel=1e-6)[0]
+        for k in (4, 6, 8)
+    ]
+    gains = [b - a for a, b in pairwise(energies)]
+    assert gains[1] < 0.2 * gains[0] < 0.02

@@ -18,7 +18,8 @@ CONTACTS: dict[str, tuple[int, Any]] = {
     "crossing": (1, sp.Integer(1)),
     "point, smooth": (2, 2 * sp.pi * T),
     "point, corner": (1, 2 * sp.pi * T),
-    "rim tangent to the edge": (1, 2 * sp.sqrt(T)),
+    # A disk of H^2: the distance to the edge is of order t^2 there, so that its rim is a corner.
+    "rim tangent to the edge": (1, 2 * T),
 }
 
 

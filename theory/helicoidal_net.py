@@ -1,7 +1,8 @@
 r"""Pseudospherical surfaces with a one-parameter group of motions, in asymptotic coordinates.
 
-A motion along the group shifts the asymptotic lines by constant lengths, so that its generator is
-a multiple of K = (1/l) d_u - l d_v, l > 0, and phi = f(xi) with xi = l u + v/l, f'' = sin f. The
+A motion along the group shifts the asymptotic lines by constant lengths, neither of them 0 as
+phi_uv = sin phi; so its generator is, with v reversed and phi turned to pi - phi if need be, a
+multiple of K = (1/l) d_u - l d_v, l > 0, and phi = f(xi) with xi = l u + v/l, f'' = sin f. The
 pitch is d = (l - 1/l)^2; it is 0 for surfaces of revolution. In H^2 the length of a Killing field
 obeys x_ss = x along the geodesics across its orbits: x = c cosh s, c e^s or c sinh s, with
 s the signed distance from an axis, a horocycle or a fixed point.

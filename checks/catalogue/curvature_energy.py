@@ -104,6 +104,7 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="a quarter of the way", given={"level": "1/4", "least": "1"}),
                     Mutant(name="rate 2", given={"least": "2"}),
+                    Mutant(name="3/40", given={"least": "3/40"}, near=True),
                 ),
             ),
             Check(

@@ -127,6 +127,16 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
             ),
             Check(
+                name="bobbins on half the radius",
+                run=_GROWTH + "half_disk",
+                form="support",
+                routes=("cosh(R/2)", "theory.periodic_amsler:max_curvature"),
+                mutants=(
+                    Mutant(name="bobbins on the whole radius", given={"share": "1"}),
+                    Mutant(name="0.6 R", given={"share": "3/5"}, near=True),
+                ),
+            ),
+            Check(
                 name="phi is largest on the mirror lines",
                 run=_RIM + "largest_on_mirror",
                 form="support",
@@ -226,7 +236,10 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_GROWTH + "constant_bound",
                 form="support",
                 routes=("theory.periodic_amsler_bounds", "theory.periodic_amsler (balls)"),
-                mutants=(Mutant(name="a third", given={"constant": "1/3"}),),
+                mutants=(
+                    Mutant(name="a third", given={"constant": "1/3"}),
+                    Mutant(name="0.6, less than at R = 1", given={"constant": "3/5"}),
+                ),
             ),
         ),
         erratum=Erratum(
@@ -235,8 +248,9 @@ CLAIMS: tuple[Claim, ...] = (
                 "constant"
             ),
             corrected=(
-                r"$\mathcal{E}_\infty \sim (2\pi R)^{-1/2}e^R$, as $I_0(R)$: smaller than for "
-                r"the bobbins by a factor that grows like $\sqrt{R}$"
+                r"$\mathcal{E}_\infty$ is of the order of $R^{-1/2}e^R$, measured as $(1 + "
+                r"O(R^{-1}))\,I_0(R)$: below the bobbins' $\cosh R$ by a factor that grows like "
+                r"$\sqrt{R}$"
             ),
             kind="ambiguous",
             witness=(

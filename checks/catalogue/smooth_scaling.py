@@ -77,6 +77,7 @@ CLAIMS: tuple[Claim, ...] = (
                 "here for surfaces with a one-parameter group of motions, and to leading order as "
                 r"$R \to 0$ for all"
             ),
+            search="search among smooth disks",
         ),
         checks=(
             Check(
@@ -87,6 +88,19 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="1 % more than cosh R", given={"factor": "101/100"}, near=True),
                     Mutant(name="negative pitch", given={"twist": -1}),
+                ),
+            ),
+            Check(
+                name="search among smooth disks",
+                run="checks.verify.smooth_disk_search:smooth_disk_search",
+                form="support",
+                routes=(
+                    "checks.searches.smooth_disks (nets in H^2)",
+                    "geodesic rays in a solution on a grid",
+                ),
+                mutants=(
+                    Mutant(name="1 % above the bobbin", given={"bound_percent": 101}, near=True),
+                    Mutant(name="a tenth above", given={"bound_percent": 110}),
                 ),
             ),
             Check(

@@ -74,7 +74,7 @@ def willmore(
     )
 
 
-def amsler_crosses(setting: Setting, *, level: str = "1", least: str = "1/20") -> Evidence:
+def amsler_crosses(setting: Setting, *, level: str = "1", least: str = "7/100") -> Evidence:
     """Slope of phi at z* = level * crossing of pi, between least and 2: the edge is crossed."""
     del setting
 
@@ -88,7 +88,7 @@ def amsler_crosses(setting: Setting, *, level: str = "1", least: str = "1/20") -
             yield f"least slope, phi_0 = {name}", enclosure(sp.Rational(least), {}), rate.ball()
 
     return bounded(
-        rows(), shown="phi passes through pi at a rate between 1/20 and 2: the edge is crossed"
+        rows(), shown="phi passes through pi at a rate between 7/100 and 2: the edge is crossed"
     )
 
 
