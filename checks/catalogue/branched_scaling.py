@@ -1,0 +1,121 @@
+"""Claims of the opening of section 5, the branched surfaces of the greedy algorithm."""
+
+from checks.claim import Check, Claim, Mutant
+
+_SCALING = "checks.verify.energy_scaling:"
+_LARGE = (
+    r"(used, not stated) $R \geq R_0 > 0$: as $R \to 0$ the infimum tends to $1$ and its "
+    "logarithm is of order $R^2$ at most"
+)
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim(
+        id="fig:energywithradius",
+        section="5",
+        where="figure (fig:energywithradius), lines 1436, 1450, 1460",
+        kind="figure",
+        statement=(
+            r"$\mathcal{E}_\infty$ against $R$ for Minding's bobbins, periodic Amsler surfaces "
+            "and branched surfaces of the greedy algorithm."
+        ),
+        labels=("fig:energywithradius",),
+        hypotheses=(
+            r"(used, not stated) $m$, $\phi^*$ and $\Delta$ of the branched surfaces are not given",
+        ),
+        rests_on=("eq:c2energy", "5.periodic-amsler-one-branch-point", "alg:greedy-cuts"),
+    ),
+    Claim(
+        id="fig:cutdepthwithradius",
+        section="5",
+        where="figure (fig:cutdepthwithradius), lines 1442, 1450, 1460",
+        kind="figure",
+        statement="The largest depth $n$ of the recursion as a function of $R$ grows linearly.",
+        labels=("fig:cutdepthwithradius",),
+        hypotheses=(r"(used, not stated) $m$, $\phi^*$ and $\Delta$ are not given",),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="fig:numerical_crochet",
+        section="5",
+        where="figure (fig:numerical_crochet), lines 1448, 1450, 1461",
+        kind="figure",
+        statement=(
+            "A surface with distributed branch points that the greedy algorithm makes on the "
+            "disk of radius $R = 3$."
+        ),
+        labels=("fig:numerical_crochet",),
+        hypotheses=(r"(used, not stated) $m$, $\phi^*$ and $\Delta$ are not given",),
+        rests_on=("alg:greedy-cuts",),
+    ),
+    Claim(
+        id="ebs",
+        section="5",
+        where="equation (ebs), line 1455",
+        kind="equation",
+        statement=r"$\log\inf_{r \in C^{1,1}}\mathcal{E}_\infty[r] \sim \sqrt{R}$.",
+        labels=("ebs",),
+        hypotheses=(
+            "the infimum is over $C^{1,1}$ isometric immersions of the disk of radius $R$",
+            "conjectured",
+            _LARGE,
+        ),
+        rests_on=("5.scaling-symbol", "ebound", "alg:greedy-cuts"),
+    ),
+    Claim(
+        id="5.energy-separation",
+        section="5",
+        where="section 5, line 1458",
+        kind="sentence",
+        statement=(
+            r"The quotient of the least $\mathcal{E}_\infty$ of smooth and of branched "
+            "isometries grows without bound with $R$."
+        ),
+        hypotheses=("(e2) and (ebs)",),
+        checks=(
+            Check(
+                name="quotient of the two scalings",
+                run=_SCALING + "separation",
+                routes=("printed exponents", "limit for any two constants"),
+                mutants=(
+                    Mutant(name="equal powers", given={"power": "1"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+        ),
+        rests_on=("e2", "ebs"),
+    ),
+    Claim(
+        id="5.cut-depth-linear",
+        section="5",
+        where="section 5, line 1458",
+        kind="sentence",
+        statement=(
+            "The cut depth, the number of generations of branch points, grows linearly with $R$."
+        ),
+        hypotheses=(r"greedy algorithm, $m$ and $\phi^*$ fixed",),
+        rests_on=("fig:cutdepthwithradius",),
+    ),
+    Claim(
+        id="5.evidence-to-radius-10",
+        section="5",
+        where="section 5, line 1460",
+        kind="sentence",
+        statement=(
+            "Runs of the greedy algorithm on disks of radius up to $10$ agree with the scaling "
+            "of energy and cut depth."
+        ),
+        hypotheses=(r"(used, not stated) $m$, $\phi^*$ and $\Delta$ of the runs",),
+        rests_on=("ebs", "5.cut-depth-linear", "alg:greedy-cuts"),
+    ),
+    Claim(
+        id="5.branched-exponential-root",
+        section="5",
+        where="section 5, line 1460",
+        kind="sentence",
+        statement=(
+            r"With distributed branch points the energy seems to scale like $\exp(c\sqrt{R})$."
+        ),
+        hypotheses=(r"$R \leq 10$",),
+        rests_on=("fig:energywithradius", "ebs"),
+    ),
+)
