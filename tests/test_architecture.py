@@ -30,6 +30,12 @@ def test_the_two_routes_share_no_code(package: str):
     assert not {f: names for f, names in offenders.items() if names}
 
 
+def test_checkers_of_certificates_share_no_code_with_what_made_them():
+    files = list((ROOT / "checks" / "certificates").glob("*.py"))
+    assert files
+    assert not any(imported(f) & {"theory", "discrete"} for f in files)
+
+
 def test_the_import_test_sees_an_import_inside_a_function(tmp_path: Path):
     planted = tmp_path / "planted.py"
     planted.write_text("def f():\n    from checks.claim import Claim\n    return Claim\n")

@@ -1,6 +1,7 @@
-r"""Kernel of (x g')' = c g + source on x > 0, and the quotients of its solution f(c x) = I_0(z sqrt c).
+r"""Kernel of (x g')' = c g + source on x > 0, and quotients of f(w) = I_0(2 sqrt w).
 
-Here x = z^2/4 and f(w) = sum w^k/k!^2. The solution that is regular at 0 with g(0) = 0 is
+Here x = z^2/4, f(w) = sum w^k/k!^2, and f(c x) solves the equation without a source. The solution
+that is regular at 0 with g(0) = 0 is
 
     g(x) = integral of k_c(x, y) source(y) dy from 0 to x,
     k_c(x, y) = 2 (I_0(t) K_0(s) - K_0(t) I_0(s)),  t = 2 sqrt(c x),  s = 2 sqrt(c y),

@@ -44,7 +44,8 @@ def sinc_quotient(w: Any, v: Any) -> Any:
 
     It is the mean of -S' between v and w. -S' falls on [-1, 20], as S'' = j_2(t)/(4 t^2) for the
     spherical Bessel function j_2, which is positive up to its first zero t = 5.76 (and S'' has
-    positive terms for w < 0). So D lies between the values of -S' at the two ends. Raises DomainError outside [-1, 20].
+    positive terms for w < 0). So D lies between the values of -S' at the two ends. Raises
+    DomainError outside [-1, 20].
     """
     ends = sinc_fall(arb(w.lower())).union(sinc_fall(arb(w.upper())))
     ends = ends.union(sinc_fall(arb(v.lower()))).union(sinc_fall(arb(v.upper())))

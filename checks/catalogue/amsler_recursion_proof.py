@@ -4,6 +4,7 @@ from checks.claim import Check, Claim, Erratum, Mutant
 
 _ANGLE = "checks.verify.recursion_angle:"
 _LEMMA = "checks.verify.recursion_lemma:"
+_RANGE = "checks.verify.amsler_bounds:"
 _CERTIFIED = "theory.painleve (balls)"
 _BESSEL = "theory.bessel (balls)"
 _BELOW = r"(used, not stated) $\phi_n < \phi^*$"
@@ -183,6 +184,31 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="C 1 % larger", given={"scale": "10201/10000"}, near=True),
                     Mutant(name="C twice as large", given={"scale": "4"}),
+                ),
+            ),
+            Check(
+                name="whole range",
+                run=_RANGE + "certificate",
+                tier="full",
+                routes=(
+                    "stored run: Cauchy's bounds on complex disks, Bessel's kernel over cells",
+                    "checks.certificates: interval Taylor steps of the integral equation",
+                ),
+                mutants=(
+                    Mutant(name="C 0.1 % larger", given={"lower": "1001/1000"}, near=True),
+                    Mutant(name="I_0(0.99 z) above", given={"upper": "99/100"}, near=True),
+                    Mutant(name="C at phi_n", given={"constant": "at phi_n"}),
+                    Mutant(name="phi_n from 1e-7 on", given={"beginning": "1e-7"}),
+                ),
+            ),
+            Check(
+                name="gaps",
+                run="checks.verify.amsler_bound_identities:gap_identities",
+                form="support",
+                routes=("equations of the gaps", "equations of U and of Bessel functions"),
+                mutants=(
+                    Mutant(name="x^2 q U", given={"source_power": 2}),
+                    Mutant(name="s^2 K_2 for 2 s^2 K_2", given={"by_parts": 1}),
                 ),
             ),
         ),

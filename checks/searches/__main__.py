@@ -13,13 +13,14 @@ def main(arguments: list[str]) -> int:
         return 2
     name, seed = arguments[0], int(arguments[1]) if len(arguments) == 2 else 0
     module = import_module(f"checks.searches.{name}")
+    sources = hashes(module.SOURCES)  # before the run, which a change meanwhile must make stale
     result = dict(module.search(seed=seed, progress=lambda text: sys.stderr.write(text + "\n")))
     run = StoredRun(
         name=name,
         seed=seed,
         evaluations=result.pop("evaluations"),
         result=result,
-        sources=hashes(module.SOURCES),
+        sources=sources,
     )
     sys.stdout.write(f"{store(run)}\n")
     return 0

@@ -1,4 +1,4 @@
-"""Long sweeps that show progress and time left, can be interrupted, and resume where they stopped."""
+"""Long sweeps that tell their progress and resume where they were interrupted."""
 
 import json
 import time
@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
+from checks.files import write_whole
 from checks.last_run import FOLDER
 
 Progress = Callable[[str], None]
@@ -33,10 +34,9 @@ def swept(
     if len(missing) < len(keys):
         progress(f"{len(keys) - len(missing)} of {len(keys)} taken from {file}")
     file.parent.mkdir(exist_ok=True)
+    whole = [{"stamp": stamp}, *({"key": key, "result": known[key]} for key in known)]
+    write_whole(file, "".join(json.dumps(record) + "\n" for record in whole))
     with file.open("a", encoding="utf-8") as stream:
-        if not known:
-            stream.truncate(0)
-            _append(stream, {"stamp": stamp})
         told = _Told(progress, len(missing))
         for key, result in zip(missing, executor.map(task, missing, chunksize=4), strict=True):
             _append(stream, {"key": key, "result": result})

@@ -105,10 +105,10 @@ def _proved(verdicts: list[Verdict], run: StoredRun) -> Evidence:
         grade="certified",
         tried=len(verdicts),
         met=closed,
-        shown=f"for all phi_n from 1e-6 to phi*, all phi* <= pi - 1/100, all z in [0, z*]: {closed} "
+        shown=f"all phi_n from 1e-6 to phi*, all phi* <= pi - 1/100, all z in [0, z*]: {closed} "
         f"columns of phi_n, {stretches} stretches of z, open share {run.result['open_share']:g}; "
-        f"(I_0(z) - phi/phi_n)/(phi_n^2 z^2/4) >= {gap:.3g}, and the two parts of the lower gap "
-        f"over (phi_n^2 z^4/16) differ by a factor of at least {quotient:.3g}",
+        f"(I_0(z) - phi/phi_n)/(phi_n^2 z^2/4) >= {gap:.3g}, and of the two positive parts whose "
+        f"difference is the lower gap the first is at least {quotient:.3g} times the second",
     )
 
 
