@@ -1,0 +1,126 @@
+"""Surgery on complexes: cut out the quadrant of a vertex, put an odd number of sectors in."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from discrete.asymptotic_complex import AsymptoticComplex
+from discrete.complex_errors import SurgeryError
+from discrete.gluing import Seam, fan, glued
+from discrete.signed_graph import BoolArray, IntArray
+
+
+def restricted(complex_: AsymptoticComplex, keep: BoolArray) -> tuple[AsymptoticComplex, IntArray]:
+    """Complex of the faces that are kept, and the new number of each vertex (-1 if it is lost)."""
+    used = np.unique(complex_.faces[keep])
+    place = np.full(complex_.vertex_count, -1, dtype=np.int64)
+    place[used] = np.arange(len(used))
+    return AsymptoticComplex(faces=place[complex_.faces[keep]]), place
+
+
+def boundary_segment(complex_: AsymptoticComplex, corner: int, *, along_u: bool) -> IntArray:
+    """Vertices of the maximal boundary segment of one family that starts at a corner vertex.
+
+    Raises SurgeryError if the vertex is no corner.
+    """
+    if not complex_.is_corner[corner]:
+        raise SurgeryError(f"vertex {corner} is no corner: its boundary edges are of one family")
+    outer = complex_.sides.counts == 1
+    edges = complex_.edges[outer & (complex_.edge_is_u == along_u)]
+    path, before = [corner], -1
+    while True:
+        at = edges[(edges == path[-1]).any(axis=1)]
+        onwards = [int(v) for v in at.ravel() if v != path[-1] and v != before]
+        if not onwards or onwards[0] == corner:
+            return np.array(path, dtype=np.int64)
+        before = path[-1]
+        path.append(onwards[0])
+
+
+def attached(
+    complex_: AsymptoticComplex, corner: int, lengths: Sequence[int]
+) -> tuple[AsymptoticComplex, IntArray]:
+    """Complex with sectors put in at a corner vertex, and the new number of each old vertex.
+
+    lengths: numbers of edges of the new rays, an even number 2k, between which and the two maximal
+    boundary segments of the corner lie 2k + 1 new sectors. Raises SurgeryError.
+    """
+    if len(lengths) % 2:
+        raise SurgeryError(f"{len(lengths)} new rays at vertex {corner}: an even number is needed")
+    along_u, along_v = (boundary_segment(complex_, corner, along_u=u) for u in (True, False))
+    sectors, seams, rays = fan([len(along_u) - 1, *lengths, len(along_v) - 1])
+    last = len(sectors)
+    outer = [
+        Seam(first=last, path=along_u, second=0, onto=rays[0]),
+        Seam(first=last, path=along_v, second=last - 1, onto=rays[-1]),
+    ]
+    found = glued([*sectors, complex_], [*seams, *outer])
+    return found.complex, found.places[-1]
+
+
+def _row(complex_: AsymptoticComplex, face: int, entry: int) -> tuple[list[int], list[int]]:
+    """Faces met from one on through opposite sides, and the side by which each was entered."""
+    faces, entries, seen = [face], [entry], {face}
+    while (across := int(complex_.neighbour[faces[-1], (entries[-1] + 2) % 4])) >= 0:
+        if across // 4 in seen:
+            raise SurgeryError(f"the row of faces from face {face} closes up: it is no quadrant")
+        seen.add(across // 4)
+        faces.append(across // 4)
+        entries.append(across % 4)
+    return faces, entries
+
+
+def _row_above(complex_: AsymptoticComplex, below: list[int], start: int, entry: int) -> list[int]:
+    """Row of faces, each across a u-edge from that of the row below; empty if there is none."""
+    above = complex_.neighbour[below][:, ::2] // 4
+    for turn in (1, 3):
+        row, _ = _row(complex_, start, (entry + turn) % 4)
+        if len(row) == len(below) and (above == np.array(row)[:, np.newaxis]).any(axis=1).all():
+            return row
+    return []
+
+
+def quadrant(complex_: AsymptoticComplex, vertex: int, face: int) -> IntArray:
+    """Faces of the quadrant that a face begins at a vertex: the grid between its two rays.
+
+    The rays are the u- and the v-line from the vertex along that face, up to the boundary; rows of
+    the array run along u. Raises SurgeryError if the faces between them are no grid.
+    """
+    corners = np.flatnonzero(complex_.faces[face] == vertex)
+    if not len(corners):
+        raise SurgeryError(f"face {face} does not meet vertex {vertex}")
+    corner = int(corners[0])
+    u_side, v_side = sorted((corner, (corner - 1) % 4), key=lambda s: s % 2)
+    rows = [_row(complex_, face, v_side)[0]]
+    column, entries = _row(complex_, face, u_side)
+    for start, entry in zip(column[1:], entries[1:], strict=True):
+        rows.append(_row_above(complex_, rows[-1], start, entry))
+        if not rows[-1]:
+            break
+    at_boundary = (complex_.neighbour[rows[-1]][:, ::2] < 0).any(axis=1).all()
+    distinct = len({f for row in rows for f in row}) == len(rows) * len(rows[0])
+    if not (rows[-1] and at_boundary and distinct):
+        raise SurgeryError(
+            f"the quadrant of vertex {vertex} at face {face} is no grid of rectangles: a branch "
+            "point or a step of the boundary is in it"
+        )
+    return np.array(rows, dtype=np.int64)
+
+
+def surgery(
+    complex_: AsymptoticComplex, vertex: int, face: int, lengths: Sequence[int]
+) -> tuple[AsymptoticComplex, int]:
+    """Complex with the quadrant of a vertex at a face replaced by sectors, and the vertex in it.
+
+    lengths: edges of the 2k new rays; the order of saddleness of the vertex grows by k. Raises
+    SurgeryError for a vertex on the boundary or a quadrant that is no grid.
+    """
+    if complex_.is_boundary[vertex]:
+        raise SurgeryError(f"vertex {vertex} is on the boundary: attach sectors there instead")
+    keep = np.ones(len(complex_.faces), dtype=np.bool_)
+    keep[quadrant(complex_, vertex, face)] = False
+    rest, place = restricted(complex_, keep)
+    result, places = attached(rest, int(place[vertex]), lengths)
+    if complex_.is_disk and not result.is_disk:
+        raise SurgeryError(f"without the quadrant of vertex {vertex} the rest falls apart")
+    return result, int(places[place[vertex]])
