@@ -89,9 +89,12 @@ class BranchedNet:
     def _glued(self) -> tuple[Glued, list[IntArray]]:
         pieces, numbers = [], []
         for place in self.placed:
-            piece, number = restricted(rectangle(*place.sector.shape), place.kept.ravel())
+            piece, number = rectangle(*place.sector.shape), grid(*place.sector.shape)
+            if place.cut is not None:
+                piece, place_of = restricted(piece, place.kept.ravel())
+                number = place_of[number]
             pieces.append(piece)
-            numbers.append(number[grid(*place.sector.shape)])
+            numbers.append(number)
         seams = [
             Seam(
                 first=seam.first,

@@ -64,8 +64,8 @@ def _twist(t: float, power: int, sign: int) -> Jet:
     half = sign * np.arctan(t)
     rate = sign * power * t / (1 + t * t)
     c, s = np.cos(half), np.sin(half)
-    matrix: ComplexArray = np.array([[c, -1j * s], [-1j * s, c]])
-    slope: ComplexArray = np.array([[-s, -1j * c], [-1j * c, -s]]) * rate
+    matrix = np.array([[c, -1j * s], [-1j * s, c]], dtype=np.complex128)
+    slope = rate * np.array([[-s, -1j * c], [-1j * c, -s]], dtype=np.complex128)
     return matrix, slope
 
 
