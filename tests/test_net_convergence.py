@@ -1,0 +1,144 @@
+"""Nets tend to the continuum as their edges shrink: observed orders within 0.1 on four levels."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from discrete.branched_net import regular_star, surgery
+from discrete.curvature_energy import energies
+from discrete.net_frames import relative_frame
+from discrete.sector import Sector, amsler_sector
+from discrete.sl2_frames import distance_from_start
+from theory import bobbin_reference, painleve_float
+
+LEVELS = (20, 40, 80, 160)
+LENGTH = 1.2
+
+
+def order(errors):
+    """Orders observed between neighbouring levels, each of which halves the edges."""
+    return [math.log2(a / b) for a, b in zip(errors[:-1], errors[1:], strict=True)]
+
+
+def is_second_order(errors) -> bool:
+    return all(abs(found - 2) < 0.1 for found in order(errors))
+
+
+def sector(order_of_star: int, n: int) -> Sector:
+    lengths = np.full(n, LENGTH / n)
+    return amsler_sector(lengths, lengths, math.pi / order_of_star)
+
+
+def middle_angles(found: Sector):
+    return (found.angles + np.pi - found.other_angles) / 2
+
+
+@pytest.mark.parametrize("m", [2, 3, 6])
+def test_angles_of_amsler_stars_tend_to_painleve_three(m):
+    errors = []
+    for n in LEVELS:
+        h = LENGTH / n
+        i, j = 3 * n // 4 - 1, n // 2 - 1
+        z = 2 * math.sqrt((i + 0.5) * (j + 0.5)) * h
+        exact = painleve_float.angle(math.pi / m, z)
+        errors.append(abs(middle_angles(sector(m, n))[i, j] - exact))
+    assert is_second_order(errors)
+
+
+@pytest.mark.parametrize("m", [2, 3, 6])
+def test_distances_on_the_mirror_line_tend_to_the_continuum(m):
+    errors = []
+    for n in LEVELS:
+        k = n // 2
+        frame = relative_frame(sector(m, n).net, math, (0, 0), (k, k))
+        exact = painleve_float.diagonal(math.pi / m, 2 * k * LENGTH / n)
+        errors.append(abs(distance_from_start(math, frame) - exact))
+    assert is_second_order(errors)
+
+
+@pytest.mark.parametrize("m", [2, 3, 6])
+def test_areas_tend_to_the_integral_of_the_sine(m):
+    # The integral of sin phi over a square is phi(far) - phi(u-side) - phi(v-side) + phi(apex).
+    side = LENGTH / 2
+    exact = painleve_float.angle(math.pi / m, 2 * side) - math.pi / m
+    errors = []
+    for n in LEVELS:
+        k = n // 2
+        area = 2 * np.asarray(sector(m, n).net.half_defects)[:k, :k].sum()
+        errors.append(abs(area - exact))
+    assert is_second_order(errors)
+
+
+def test_the_curvature_of_a_sector_tends_to_that_of_its_far_corner():
+    errors = []
+    for n in (40, 80, 160, 320):
+        phi = middle_angles(sector(2, n))
+        k = n // 2 - 1
+        z = (2 * k + 1) * LENGTH / n
+        exact = math.tan(painleve_float.angle(math.pi / 2, z) / 2)
+        errors.append(abs(math.tan(phi[k, k] / 2) - exact))
+    assert is_second_order(errors)
+
+
+def bobbin_angle(kappa: int, xi: Fraction) -> float:
+    """Angle phi(u + v) of the bobbin's asymptotic lines: r_u + r_v = 2 s' on a meridian."""
+    s = float(bobbin_reference.arc_length(Fraction(kappa), xi, digits=20))
+    return 2 * math.acos(math.sqrt((kappa**2 - math.sinh(s) ** 2) / (kappa**2 + 1)))
+
+
+def bobbin_sector(kappa: int, side: Fraction, n: int) -> Sector:
+    """Net of the bobbin from a point of its throat: its lines turn by phi_u for each length."""
+    h = side / n
+    phi = [bobbin_angle(kappa, k * h) for k in range(n + 1)]
+    turns = [(phi[k + 1] - phi[k - 1]) / 2 for k in range(1, n)]
+    # The angle at the vertex of a quad is phi at its middle less a quarter of its area.
+    corner = phi[1] - float(h) ** 2 * math.sin(phi[0]) / 4
+    lengths = np.full(n, float(h))
+    return Sector(
+        u_lengths=lengths, v_lengths=lengths, corner_angle=corner, u_turns=turns, v_turns=turns
+    )
+
+
+@pytest.mark.parametrize("kappa", [1, 3])
+def test_angles_of_bobbins_tend_to_elliptic_functions(kappa):
+    side, errors = Fraction(1, 2), []
+    for n in LEVELS:
+        i = 3 * n // 4 - 1
+        exact = bobbin_angle(kappa, (2 * i + 1) * side / n)
+        errors.append(abs(middle_angles(bobbin_sector(kappa, side, n))[i, i] - exact))
+    assert is_second_order(errors)
+
+
+def test_the_angle_that_surgery_cuts_out_tends_to_phi_with_the_first_order():
+    # One corner angle of a net: phi at the middle of its quad, half an edge beyond the vertex.
+    errors = []
+    for n in LEVELS:
+        k = n // 2
+        exact = painleve_float.angle(math.pi / 2, LENGTH)
+        errors.append(abs(sector(2, n).angles[k, k] - exact))
+    assert all(abs(found - 1) < 0.1 for found in order(errors))
+
+
+def test_both_neighbours_together_give_that_angle_with_the_second_order():
+    errors = []
+    for n in LEVELS:
+        k = n // 2
+        angles = sector(2, n).angles
+        exact = painleve_float.angle(math.pi / 2, LENGTH)
+        errors.append(abs((angles[k, k] + angles[k - 1, k - 1]) / 2 - exact))
+    assert is_second_order(errors)
+
+
+def test_after_surgery_area_and_willmore_energy_have_expansions_in_the_edge_length():
+    # The angle cut out is off by the first order, so both begin with it: one extrapolation takes
+    # it away and leaves the second order.
+    found = []
+    for n in (24, 48, 96, 192, 384, 768):
+        net = regular_star(2, edge_length=0.9 / n, edges=n)
+        found.append(energies(surgery(net, 0, (n // 2, n // 2))))
+    for name in ("area", "willmore"):
+        values = np.array([getattr(energy, name) for energy in found])
+        extrapolated = 2 * values[1:] - values[:-1]
+        assert is_second_order(np.abs(np.diff(extrapolated)).tolist())
