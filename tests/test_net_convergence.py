@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ LENGTH = 1.2
 
 def order(errors):
     """Orders observed between neighbouring levels, each of which halves the edges."""
-    return [math.log2(a / b) for a, b in zip(errors[:-1], errors[1:], strict=True)]
+    return [math.log2(a / b) for a, b in pairwise(errors)]
 
 
 def is_second_order(errors) -> bool:
