@@ -28,14 +28,14 @@ def smallest_angle(
     setting: Setting,
     *,
     constants: str = "1 10 100",
-    quotient: str = "0",
+    quotient: str = "4",
     scale: str = "1",
     divisor: str = "1",
 ) -> Evidence:
     """Whether phi_n >= phi_min = phi*/(divisor I_0(C' sqrt(R))) is kept from n to n + 1.
 
-    As printed: for each of the constants, and disks as small as R = 1/C'^2. With a divisor other
-    than 1, or for R >= quotient C > 0: with C' = scale sqrt(2 x_0/C).
+    For R >= quotient C > 0, or with a divisor other than 1: with C' = scale sqrt(2 x_0/C). For
+    quotient 0: by one of the constants in all disks and for all phi_0, R = 1/C'^2 among them.
     """
     del setting
     if Fraction(divisor) != 1:
