@@ -60,8 +60,8 @@ CLAIMS: tuple[Claim, ...] = (
                 name="contour and rim",
                 run=_SECTORS + "contour_and_rim",
                 routes=(
-                    "distance of the contour: theory.painleve",
-                    "largest angle of the disk: theory.periodic_amsler",
+                    "distance of the contour: theory.painleve_reference (mpmath)",
+                    "largest angle of the disk: theory.periodic_amsler (balls)",
                 ),
                 mutants=(
                     Mutant(name="contour 1 % farther", given={"stretched": "101/100"}, near=True),
