@@ -196,6 +196,16 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
             ),
             Check(
+                name="down to any R_0 > 0",
+                run=_SMALLEST + "down_to_radius",
+                form="support",
+                routes=("printed phi_min", "third of the least phi_n that is cut"),
+                mutants=(
+                    Mutant(name="2.97 I_0(8 C)", given={"times": "297/100"}, near=True),
+                    Mutant(name="I_0(8 C)", given={"times": "1"}),
+                ),
+            ),
+            Check(
                 name="larger R",
                 run=_SMALLEST + "growth_rate",
                 form="support",
