@@ -192,7 +192,7 @@ CLAIMS: tuple[Claim, ...] = (
                 tier="full",
                 routes=(
                     "stored run: Cauchy's bounds on complex disks, Bessel's kernel over cells",
-                    "checks.certificates: interval Taylor steps of the integral equation",
+                    "interval Taylor steps of the integral equation (checks.certificates)",
                 ),
                 mutants=(
                     Mutant(name="C 0.1 % larger", given={"lower": "1001/1000"}, near=True),

@@ -1,6 +1,6 @@
 """Claims of section 5.1, the remark on the scaling of the recursion of Amsler sectors."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Claim, Mutant
 
 _SMALLEST = "checks.verify.recursion_smallest_angle:"
 _SCALING = "checks.verify.recursion_scaling:"
@@ -156,46 +156,53 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             "every sector is an Amsler sector, its axes no longer than $R$",
             (
-                r"(used, not stated) $R \geq R_0(\phi^*)$: for small $R$, $\phi_{\min}$ is near "
-                r"$\phi^*$ and one trisection falls below it"
+                r"(used, not stated) $R \geq R_0$: tested with $C' = \sqrt{2x_0/C(\phi^*)}$, "
+                r"$I_0(x_0) = 3$, for $R \geq 4C(\phi^*)$, and $R \geq 4$ is enough for every "
+                r"$\phi^*$. For smaller $R$ a larger $C'$ serves down to any $R_0 > 0$: $I_0(C'"
+                r"\sqrt{R_0}) \geq 3I_0(8C)$ is enough, as $I_0^{-1}(\phi^*/\phi_n) \leq 2R$ "
+                "wherever there is a cut"
+            ),
+            (
+                r"(used, not stated) $\phi_0 = \pi/m$, as in the algorithm, if $R$ is to be "
+                r"arbitrary: $\phi_0$ then stays away from $\phi^*$ and small disks have no cut. "
+                r"For $\phi_0$ arbitrarily near $\phi^*$ none serves: $R = C'^{-2}$ has "
+                r"$\phi_{\min} = 0.79\phi^*$, but $\phi_1 \leq \phi^*/3$"
             ),
         ),
         rests_on=("rem:amsler_scaling", "5.1.small-angles-grow"),
         checks=(
             Check(
-                name="as printed",
-                run=_SMALLEST + "smallest_angle",
-                routes=("printed phi_min", _CERTIFIED),
-                mutants=(
-                    Mutant(name="C' = 2", given={"constants": "2"}),
-                    Mutant(name="C' = 1000", given={"constants": "1000"}),
-                ),
-            ),
-            Check(
                 name="R >= 4 C",
                 run=_SMALLEST + "smallest_angle",
-                form="corrected",
-                given={"quotient": "4"},
                 routes=("bound of the remark", _GROWTH),
                 mutants=(
-                    Mutant(
-                        name="C' 1 % less", given={"quotient": "4", "scale": "99/100"}, near=True
-                    ),
-                    Mutant(name="C' 10 % less", given={"quotient": "4", "scale": "9/10"}),
+                    Mutant(name="C' 1 % less", given={"scale": "99/100"}, near=True),
+                    Mutant(name="C' 10 % less", given={"scale": "9/10"}),
                     Mutant(name="R >= 3.5 C", given={"quotient": "7/2"}, near=True),
                     Mutant(name="R >= C", given={"quotient": "1"}),
+                    Mutant(name="every R > 0, any phi_0", given={"quotient": "0"}),
                 ),
             ),
             Check(
                 name="a third of it for every R",
                 run=_SMALLEST + "smallest_angle",
-                form="corrected",
+                form="support",
                 given={"divisor": "3"},
                 routes=("bound of the remark", _GROWTH),
                 mutants=(
                     Mutant(name="divisor 2.97", given={"divisor": "297/100"}, near=True),
                     Mutant(name="divisor 2", given={"divisor": "2"}),
                     Mutant(name="C' 10 % less", given={"divisor": "3", "scale": "9/10"}),
+                ),
+            ),
+            Check(
+                name="down to any R_0 > 0",
+                run=_SMALLEST + "down_to_radius",
+                form="support",
+                routes=("printed phi_min", "third of the least phi_n that is cut"),
+                mutants=(
+                    Mutant(name="2.97 I_0(8 C)", given={"times": "297/100"}, near=True),
+                    Mutant(name="I_0(8 C)", given={"times": "1"}),
                 ),
             ),
             Check(
@@ -218,29 +225,6 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="half of C'", given={"scale": "1/2"}),
                     Mutant(name="a quarter of C'", given={"scale": "1/4"}),
                 ),
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"a constant $C'(\phi^*)$, independent of $R$, for which $\phi_0 \geq \phi_{\min} "
-                r"= \phi^*/I_0(C'\sqrt{R})$ gives $\phi_n \geq \phi_{\min}$ for all $n$"
-            ),
-            corrected=(
-                r"this holds with $C' = \sqrt{2x_0/C(\phi^*)}$, $I_0(x_0) = 3$, and every larger "
-                r"one, for $R \geq 4C(\phi^*)$; for every $R > 0$ with $\phi_{\min} = "
-                r"\phi^*/(3I_0(C'\sqrt{R}))$"
-            ),
-            kind="hypothesis",
-            witness=(
-                r"for any $C'$ let $R = C'^{-2}$: $\phi_{\min} = \phi^*/I_0(1) = 0.79\phi^*$, and "
-                r"$\phi_1 \leq \phi^*/3$ for each $\phi_0 < \phi^*$ whose contour meets the disk; "
-                r"$C' = R = 1$, $\phi^* = 9/4$, $\phi_0 = 279/128$: $\phi_1 = 0.729 < 1.777$"
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"As a statement on $R \to \infty$, for which it is used, it stands: $R \geq 4$ is "
-                r"enough for every $\phi^*$. The recursion itself, $\phi^* = 9/4$, tends to "
-                r"$0.0168$ for $R = 10$, where $\phi_{\min} = 0.0021$."
             ),
         ),
     ),

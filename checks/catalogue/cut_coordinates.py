@@ -152,34 +152,39 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$\zeta_n$ is like $2\alpha_n^2$.",
         hypotheses=(
             (
-                r"(used, not stated) equality where $s_n^2 = u_{\max} v_{\max}$, as for the "
-                "sectors at the origin"
+                r"(read so) like: $\zeta_n$ with $s_n$ for $\sqrt{u_{\max} v_{\max}}$, the same "
+                "for the sectors at the centre; put as an intuition"
+            ),
+            (
+                r"elsewhere $\zeta_n < 2\alpha_n^2$, at least $2\alpha_n^2\cos\theta$ for geodesic "
+                r"axes within the angle $\theta < \pi/2$ of the outward radius, as at Amsler nodes "
+                r"on a diagonal, $\theta = \phi_n/2$. For axes perpendicular to it no constant "
+                r"bounds $2\alpha_n^2/\zeta_n$: with $R = 4$, $s_n = 10^{-3}$ it is $44.7$"
             ),
         ),
         rests_on=("5.1.zeta", "eq:cut-coordinates"),
         checks=(
             Check(
-                name="as printed",
-                run=_CUTS + "zeta_like",
-                routes=(
-                    "printed alpha_n^2",
-                    "corner of the cut, lengths of geodesics to the rim (balls)",
+                name="s_n for the root of u_max v_max",
+                run=_CUTS + "zeta_of_distance",
+                routes=("printed alpha_n^2", "corner of the cut (theory.cut_corner)"),
+                mutants=(
+                    Mutant(name="like alpha_n^2", given={"factor": "1"}),
+                    Mutant(name="like 2.02 alpha_n^2", given={"factor": "101/50"}, near=True),
                 ),
-                mutants=(Mutant(name="like alpha_n^2", given={"factor": "1"}),),
             ),
             Check(
                 name="axes that leave outwards",
                 run=_CUTS + "zeta_like",
-                form="corrected",
-                given={"steepest": "2/5", "constant": 4},
-                routes=(
-                    "printed alpha_n^2",
-                    "corner of the cut, lengths of geodesics to the rim (balls)",
-                ),
+                form="support",
+                routes=("printed alpha_n^2", "lengths of geodesics to the rim (balls)"),
                 mutants=(
                     Mutant(name="like alpha_n^2", given={"factor": "1"}),
-                    Mutant(name="like 2.02 alpha_n^2", given={"factor": "101/50"}, near=True),
                     Mutant(name="axes perpendicular to the radius", given={"steepest": "1/2"}),
+                    Mutant(
+                        name="perpendicular, up to a factor of 1000",
+                        given={"steepest": "1/2", "constant": 1000},
+                    ),
                 ),
             ),
             Check(
@@ -188,25 +193,6 @@ CLAIMS: tuple[Claim, ...] = (
                 form="support",
                 routes=("geodesics on the hyperboloid", "s_n >= l cos(angle)"),
                 mutants=(Mutant(name="s_n >= l", given={"power": 0}),),
-            ),
-        ),
-        erratum=Erratum(
-            printed=r"$\zeta_n$ is like $2\alpha_n^2$",
-            corrected=(
-                r"$\zeta_n = 2\alpha_n^2\frac{s_n}{\sqrt{u_{\max} v_{\max}}} \leq 2\alpha_n^2$, "
-                r"with equality at the centre; for geodesic axes within the angle $\theta < \pi/2$ "
-                r"of the outward radius $\zeta_n \geq 2\alpha_n^2\cos\theta$"
-            ),
-            kind="hypothesis",
-            witness=(
-                r"geodesic axes perpendicular to the radius, $R = 4$: $s_n/\sqrt{u_{\max} "
-                r"v_{\max}} = 0.0224$ for $s_n = 10^{-3}$, and it tends to $0$ with $s_n$"
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"Like is read as: up to constant factors. At an Amsler node on a diagonal the "
-                r"axes are symmetric, within $\phi_n/2 \leq \phi^*/6$ of the radius, so that "
-                r"$\zeta_n > 1.73\alpha_n^2$ there."
             ),
         ),
     ),

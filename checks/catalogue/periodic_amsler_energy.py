@@ -133,7 +133,7 @@ CLAIMS: tuple[Claim, ...] = (
                 routes=("cosh(R/2)", "theory.periodic_amsler:max_curvature"),
                 mutants=(
                     Mutant(name="bobbins on the whole radius", given={"share": "1"}),
-                    Mutant(name="0.6 R", given={"share": "3/5"}, near=True),
+                    Mutant(name="0.8 R", given={"share": "4/5"}, near=True),
                 ),
             ),
             Check(

@@ -1,6 +1,6 @@
 """Claims of section 5.1, the cut of a sector in the recursion."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Claim, Mutant
 
 _SECTORS = "checks.verify.recursion_sectors:"
 _DISK = "checks.verify.recursion_disk:"
@@ -60,8 +60,8 @@ CLAIMS: tuple[Claim, ...] = (
                 name="contour and rim",
                 run=_SECTORS + "contour_and_rim",
                 routes=(
-                    "distance of the contour: theory.painleve",
-                    "largest angle of the disk: theory.periodic_amsler",
+                    "distance of the contour: theory.painleve_reference (mpmath)",
+                    "largest angle of the disk: theory.periodic_amsler (balls)",
                 ),
                 mutants=(
                     Mutant(name="contour 1 % farther", given={"stretched": "101/100"}, near=True),
@@ -82,40 +82,25 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             "(used, not stated) $u_n^*$ and $v_n^*$ are the largest with this property",
             (
-                r"(used, not stated) $\varphi$ is asked for on all of $\Omega$ along the axes, and "
-                "inside $\\Omega$ only"
+                r"(read so) the region is $\Omega \cap \{u \leq u_n^* \text{ or } v \leq v_n^*\}$, "
+                "as the algorithm of section 4.1 has it. With the lengths of the axes for "
+                r"$u_{\max}$, $v_{\max}$ and whole rectangles the place is another: $\phi_n = "
+                r"\pi/2$, $\phi^* = 3\pi/4$, $R = 3$: the line $u = u_n^*$ leaves the disk at $v > "
+                r"3$, where $\varphi = 2.374 > 2.356$; the two places are 2 % apart"
             ),
-            r"$u_{\max}$ and $v_{\max}$ are the lengths of the axes in $\Omega$, as in the figure",
         ),
         rests_on=("5.1.new-generation", "alg:greedy-cuts"),
         checks=(
             Check(
-                name="as printed",
-                run=_DISK + "strip_of_disk",
-                routes=("contour against the side of the rectangle", _LAYOUT),
-                mutants=(
-                    Mutant(name="1 % farther out", given={"share": "101/100"}, near=True),
-                    Mutant(name="half as far", given={"share": "1/2"}),
-                ),
-            ),
-            Check(
                 name="strips of the domain",
                 run=_DISK + "strip_of_disk",
-                form="corrected",
-                given={"domain": "disk"},
                 routes=("intersection of the circle and the contour", _LAYOUT),
                 mutants=(
+                    Mutant(name="1 % farther out", given={"share": "101/100"}, near=True),
                     Mutant(
-                        name="1 % farther out",
-                        given={"domain": "disk", "share": "101/100"},
-                        near=True,
+                        name="1 % nearer: not the largest", given={"share": "99/100"}, near=True
                     ),
-                    Mutant(
-                        name="1 % nearer: not the largest",
-                        given={"domain": "disk", "share": "99/100"},
-                        near=True,
-                    ),
-                    Mutant(name="sides of the rectangle", given={"domain": "rectangles"}),
+                    Mutant(name="whole rectangles", given={"domain": "rectangles"}),
                 ),
             ),
             Check(
@@ -127,30 +112,6 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="opening pi/3", given={"halves": 3}),
                     Mutant(name="u = 1.25", given={"along": "5/4"}, near=True),
                 ),
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"$\varphi \leq \phi^*$ on $[0, u_{\max}] \times [0, v_n^*] \cup [0, u_n^*] "
-                r"\times [0, v_{\max}]$"
-            ),
-            corrected=(
-                r"$\varphi \leq \phi^*$ on $\Omega \cap \{u \leq u_n^* \text{ or } v \leq "
-                r"v_n^*\}$, with the largest such $u_n^*$, $v_n^*$: where $\partial\Omega$ meets "
-                r"the contour $\varphi = \phi^*$"
-            ),
-            kind="ambiguous",
-            witness=(
-                r"$\phi_n = \pi/2$, $\phi^* = 3\pi/4$, $R = 3$ (the example of section 4.1): with "
-                r"the largest $u_n^*$ for the rectangle of side $v_{\max} = 3$ the line $u = "
-                r"u_n^*$ leaves the disk at $v > 3$, where $\varphi = 2.374 > 2.356$"
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"A geodesic disk about the apex need not lie in $[0, u_{\max}] \times [0, "
-                r"v_{\max}]$: for $\phi_n = \pi/2$ the point $u = v = 1.27$ is $1.26$ from the "
-                "apex. The algorithm, and section 4.1, use the intersection; the two places are "
-                "2 % apart here."
             ),
         ),
     ),

@@ -1,7 +1,7 @@
 r"""Checker of the stored certificate of the Bessel bounds on Amsler sectors (boundCphi*).
 
-For every phi_n of a column [low, high], at every z up to where phi > top: with U = phi/phi_n,
-s = sin phi/phi and f(w) = I_0(2 sqrt w),
+For every phi_n of a column [low, high], at every z up to where phi > top, top < pi: with U =
+phi/phi_n, s = sin phi/phi and f(w) = I_0(2 sqrt w),
 
     f(lower^2 s x) <= U <= f(upper^2 x),  x = z^2/4,
 
@@ -87,6 +87,8 @@ def verdict(
         return Verdict(open=f"phi_n in [{low}, {high}]: phi does not reach {top}")
     if lower > 1 or upper < 1 or constant != "at phi":
         return Verdict(open=f"phi_n in [{low}, {high}]: neither proved nor refuted")
+    if not count:
+        return Verdict(open=f"phi_n in [{low}, {high}] begins above {top}: nothing to prove")
     return Verdict(stretches=count, gap=_below(gap), quotient=_below(quotient))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from flint import arb, ctx
 
 from checks.certificates.amsler_bounds import Verdict, verdict
-from checks.certificates.painleve_tube import Step, grid
+from checks.certificates.painleve_tube import Step, grid, rational
 from checks.evidence import Evidence, Setting
 from checks.stored import StoredRun, load
 
@@ -59,10 +59,15 @@ def _unsound(run: StoredRun, columns: list[Column], beginning: Fraction) -> str:
         return "the columns leave a gap or overlap"
     if columns[0][0] > beginning:
         return f"the columns begin at {columns[0][0]}, above {beginning}"
+    last, top = columns[-1][1], Fraction(run.result["top"])
+    if last > top:
+        return f"the columns end at {last}, above the largest phi* = {top}"
     with ctx.workprec(BITS):
-        end = arb(columns[-1][1].numerator) / columns[-1][1].denominator
-        if not end >= arb.pi() - arb(1) / 100:
+        if not rational(last) >= arb.pi() - arb(1) / 100:
             return "the columns end below pi - 1/100"
+        # Above pi the lower bound is another: s < 0 there.
+        if not rational(top) < arb.pi():
+            return f"the largest phi* = {top} is not below pi"
     return ""
 
 

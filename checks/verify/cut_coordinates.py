@@ -120,39 +120,50 @@ def shortest(setting: Setting, *, sense: str = "at least", share: str = "1") -> 
     )
 
 
+def zeta_of_distance(setting: Setting, *, factor: str = "2") -> Evidence:
+    """Quotient of zeta_n by what it is said to be like, 1 where sqrt(u_max v_max) = s_n."""
+    u, v = sp.symbols("u v", positive=True)
+    zeta = cut_corner.corner_value(X, u, v)
+    claimed = printed.zeta_of_alpha(printed.alpha_squared(X, S), factor=factor)
+    return identities(
+        setting,
+        {
+            "quotient": zeta / claimed - S / sp.sqrt(u * v),
+            "equal lengths": (zeta - claimed).subs({u: S, v: S}),
+        },
+        shown="2 alpha_n^2 is zeta_n with s_n in place of sqrt(u_max v_max): the two are equal at "
+        "the centre, and zeta_n/(2 alpha_n^2) = s_n/sqrt(u_max v_max) elsewhere",
+    )
+
+
 def zeta_like(
-    setting: Setting, *, factor: str = "2", steepest: str = "1/2", constant: int = 1000
+    setting: Setting, *, factor: str = "2", steepest: str = "2/5", constant: int = 4
 ) -> Evidence:
     """Quotient of zeta_n by what it is said to be like, on sectors with geodesic axes.
 
     steepest: largest angle in units of pi between an axis and the outward radius; constant: the
-    quotient must lie between 1/constant and 1, and be 1 where all distances are one.
+    quotient must lie between 1/constant and 1.
     """
-    u, v = sp.symbols("u v", positive=True)
-    zeta = cut_corner.corner_value(X, u, v)
-    claimed = printed.zeta_of_alpha(printed.alpha_squared(X, S), factor=factor)
 
     def rows() -> Iterator[Row]:
         slant = (arb.pi() * fraction(steepest)).cos()
         for cosines in ((slant, slant), (arb(1), slant)):
             for s in ("2", "1", "1/10", "1/1000", "1e-12", "1e-20"):
                 radius, offset = arb(4), 4 - fraction(s)
-                lengths = [rim_distance.axis_length(radius, offset, c) for c in cosines]
-                quotient = fraction(s) / (lengths[0] * lengths[1]).sqrt() * 2 / fraction(factor)
+                u, v = (rim_distance.axis_length(radius, offset, c) for c in cosines)
+                alpha = printed.alpha_squared(arb(1), fraction(s))
+                # The corner (1/(4 v), 1/(4 u)) of the cut with X = 1.
+                quotient = 1 / (2 * (u * v).sqrt()) / printed.zeta_of_alpha(alpha, factor=factor)
                 where = f"R = 4, s = {s}, axes at most {steepest} pi from the radius"
                 yield f"1 over zeta/claimed, {where}", 1 / quotient, arb(constant)
                 yield f"zeta/claimed, {where}", quotient, arb(1)
 
-    at_centre = {"zeta - claimed": (zeta - claimed).subs({u: S, v: S})}
-    shape = {"quotient": zeta / claimed - 2 * S / (sp.Rational(factor) * sp.sqrt(u * v))}
-    return combined(
-        {
-            "quotient": identities(setting, shape, shown=""),
-            "centre": identities(setting, at_centre, shown=""),
-            "sectors": bounded(rows(), shown="", bits=256),
-        },
-        shown="zeta_n/(2 alpha_n^2) = s_n/sqrt(u_max v_max) is 1 at the centre and between "
-        f"1/{constant} and 1 where both axes are within {steepest} pi of the outward radius",
+    del setting
+    return bounded(
+        rows(),
+        shown=f"zeta_n/(2 alpha_n^2) is between 1/{constant} and 1 where both axes are within "
+        f"{steepest} pi of the outward radius",
+        bits=256,
     )
 
 
@@ -190,11 +201,11 @@ def slanted_axis(setting: Setting, *, power: int = 1) -> Evidence:
 
 
 def best_bound(
-    setting: Setting, *, axes: str = "any", constant: str = "1", inside: str = "2"
+    setting: Setting, *, axes: str = "radial", constant: str = "1", inside: str = "2"
 ) -> Evidence:
     """Argument of I_0 in the printed bound against C zeta_n, the argument in the lemma.
 
-    axes: any lengths u_max, v_max >= s_n, or `radial`, both equal to s_n.
+    axes: `radial`, both of the length s_n, so that zeta_n = 2 alpha_n^2, or `any` longer ones.
     """
     more = (A, B) if axes == "any" else (0, 0)
     zeta = cut_corner.corner_value(X, S + more[0], S + more[1])

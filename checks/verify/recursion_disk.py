@@ -56,10 +56,11 @@ def crossing_of_circle(opening: float, radius: float, contour: float) -> float:
     return float(brentq(excess, contour**2 / (8 * radius + 4), contour / 2, xtol=1e-13))
 
 
-def strip_of_disk(setting: Setting, *, domain: str = "rectangles", share: str = "1") -> Evidence:
+def strip_of_disk(setting: Setting, *, domain: str = "disk", share: str = "1") -> Evidence:
     """Angle on the part u <= u* of the disk, where u* is the largest that the region allows.
 
-    domain: `rectangles` with the lengths of the axes as sides, or `disk`.
+    domain: the region's part in the `disk`, or whole `rectangles` with the lengths of the axes as
+    sides, a reading that leaves out the part of the disk beyond them.
     """
     del setting
 

@@ -1,11 +1,13 @@
 """The recursion before its lemma: cut of a sector, daughters, monotone angle, largest curvature."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 from flint import arb
+from mpmath import mp
 
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
@@ -13,8 +15,9 @@ from checks.positivity import positivity, proved_positive
 from checks.printed import amsler_recursion as printed
 from checks.verify import initial_angles
 from checks.verify.ball_bounds import BALLS, Row, bounded
+from checks.verify.extremes import reference_ball
 from checks.verify.recursion_lemma import CASES, sides_of
-from theory import comparison, daughter_sectors, kink, painleve, periodic_amsler
+from theory import comparison, daughter_sectors, kink, painleve_reference, periodic_amsler
 from theory.errors import SingularEdgeError
 
 #: Largest radius of a ball of two equal curvatures.
@@ -26,11 +29,6 @@ class CurvatureFunctions:
 
     tan = staticmethod(arb.tan)
     cot = staticmethod(arb.cot)
-
-
-def opening(half: int) -> Any:
-    """Opening angle pi/m of one of 2 m sectors, as an exact real."""
-    return lambda: arb.pi() / half
 
 
 def contour_and_rim(
@@ -45,23 +43,25 @@ def contour_and_rim(
     def rows() -> Iterator[Row]:
         for case in cases.split(";"):
             radius, half, level = case.split()
-            exact, top = Fraction(radius), Fraction(level)
-            contour = painleve.crossing(opening(int(half)), top, digits=25).ball()
-            distance = painleve.diagonal(opening(int(half)), contour).ball()
+            with mp.workdps(40):
+                corner = mp.pi / int(half)
+                contour = painleve_reference.crossing(corner, Fraction(level))
+                distance = reference_ball(painleve_reference.diagonal(corner, contour))
             room = initial_angles.fraction(radius) - initial_angles.fraction(stretched) * distance
             try:
-                rim = periodic_amsler.rim_angle(exact, 2 * int(half)).ball()
+                rim = periodic_amsler.rim_angle(Fraction(radius), 2 * int(half)).ball()
             except SingularEdgeError:
                 rim = arb.pi()
             excess = rim - initial_angles.fraction(level)
             place = f"R = {radius}, {2 * int(half)} sectors, phi* = {level}"
             yield f"minus (rim angle - phi*) (R - distance), {place}", -excess * room, arb(0)
 
-    return bounded(
+    found = bounded(
         rows(),
         shown="phi > phi* somewhere on the disk, so that a branch point is needed, exactly where "
         "the contour phi = phi* is nearer than R on the mirror line, where it is nearest",
     )
+    return replace(found, grade="numeric", digits=20)
 
 
 def l_shaped_region(setting: Setting, *, grown: str = "1", least: str = "1") -> Evidence:

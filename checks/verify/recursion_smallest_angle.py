@@ -28,14 +28,14 @@ def smallest_angle(
     setting: Setting,
     *,
     constants: str = "1 10 100",
-    quotient: str = "0",
+    quotient: str = "4",
     scale: str = "1",
     divisor: str = "1",
 ) -> Evidence:
     """Whether phi_n >= phi_min = phi*/(divisor I_0(C' sqrt(R))) is kept from n to n + 1.
 
-    As printed: for each of the constants, and disks as small as R = 1/C'^2. With a divisor other
-    than 1, or for R >= quotient C > 0: with C' = scale sqrt(2 x_0/C).
+    For R >= quotient C > 0, or with a divisor other than 1: with C' = scale sqrt(2 x_0/C). For
+    quotient 0: by one of the constants in all disks and for all phi_0, R = 1/C'^2 among them.
     """
     del setting
     if Fraction(divisor) != 1:
@@ -144,6 +144,36 @@ def _kept_with_divisor(divisor: str, scale: str) -> Evidence:
         shown="phi_min = phi*/(3 I_0(C' sqrt(R))), C' = sqrt(2 x_0/C), is kept for every R > 0: "
         "where X <= C' sqrt(R) a third of phi_n is enough, beyond it the angle grows; certified "
         "for all X at five R from C/10^4 to 100 C",
+    )
+
+
+def down_to_radius(setting: Setting, *, times: str = "3") -> Evidence:
+    """Step for R_0 <= R <= 4 C if C' is so large that I_0(C' sqrt(R_0)) = times I_0(8 C).
+
+    R_0: parts of 4 C. A cut needs X <= 2 R, and leaves a third of phi_n = phi*/I_0(X) at least.
+    """
+    del setting
+
+    def rows() -> Iterator[Row]:
+        for level in ("1/10", "9/4", "3"):
+            end = 4 * constant(level)
+            for part in ("1/1000", "1/10", "999/1000"):
+                least = initial_angles.fraction(part) * end
+                most = initial_angles.fraction(times) * i0(2 * end)
+                inverse = bessel.inverse_i0(lambda most=most: most, digits=20).ball()
+                rate = inverse / least.sqrt()
+                for share in ("0", "1/2", "1"):
+                    radius = least + initial_angles.fraction(share) * (end - least)
+                    kept = 1 / (3 * i0(2 * radius))
+                    smallest = printed.least_angle(arb(1), rate, radius.sqrt(), i0)
+                    place = f"phi_min against phi*/(3 I_0(2 R)), phi* = {level}"
+                    yield f"{place}, R_0 = {part} of 4 C, R = {radius.str(6)}", smallest, kept
+
+    return bounded(
+        rows(),
+        shown="for every R_0 > 0 a C' with I_0(C' sqrt(R_0)) >= 3 I_0(8 C) serves on R_0 <= R <= "
+        "4 C: phi_n >= phi_min is kept, as phi_n/3 >= phi*/(3 I_0(2 R)) >= phi_min; every larger "
+        "C' than that for R >= 4 C serves there too",
     )
 
 

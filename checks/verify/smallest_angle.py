@@ -54,6 +54,8 @@ def decay(
     """
     q, a = sp.symbols("q alpha_star", positive=True)
     exponent = printed.decay_exponent(a, q**2, sp, factor=factor, under=under)
+    # Of log(y)/2, by the logarithm of R.
+    growth = RADIUS * sp.diff(sp.log(printed.smallest_argument(ALPHA, RADIUS, sp)) / 2, RADIUS)
 
     def rows() -> Iterator[Row]:
         for radius in RADII:
@@ -75,9 +77,7 @@ def decay(
                 {"coefficient": exponent / q - printed.smallest_argument(a, q**2, sp) / q},
                 shown="",
             ),
-            "log R": identities(
-                setting, {"power": sp.Rational(power) - sp.Rational(1, 4)}, shown=""
-            ),
+            "log R": identities(setting, {"power": growth - sp.Rational(power)}, shown=""),
         },
         shown="1/(pi sqrt e) <= I_0(y) sqrt(y) e^-y <= sqrt(pi/8) for y >= 1, so that phi_min/phi* "
         "is R^(1/4) e^(-2 alpha* sqrt R) up to bounded factors for all R >= 1",
