@@ -34,7 +34,9 @@ def better_than_bounds(
                 place = f"error of line {line} over the gap, z = {_short(z)}, phi0 = {name}"
                 yield place, abs(form - phi) / gap, initial_angles.fraction(share)
 
-    return bounded(rows(), shown=f"each line errs by less than {share} of the gap of the bounds")
+    return bounded(
+        rows(), shown=f"each line errs by less than {share} of the gap of the bounds", sampled=True
+    )
 
 
 def upper_bound_nearer(setting: Setting, *, line: int = 1) -> Evidence:
@@ -76,7 +78,9 @@ def optimal_constant(
                 place = f"phi_n I_0(C z) against phi, z = {_short(z)}, phi_n = {name}"
                 yield place, bound, initial_angles.angle(name, z)
 
-    return bounded(rows(), shown=f"the bound holds with C = 1 - {lag}/z_n, which tends to 1")
+    return bounded(
+        rows(), shown=f"the bound holds with C = 1 - {lag}/z_n, which tends to 1", sampled=True
+    )
 
 
 def strict_upper_bound(setting: Setting, *, constant: str = "1") -> Evidence:

@@ -29,10 +29,12 @@ class Balls:
 BALLS = Balls()
 
 
-def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
+def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128, sampled: bool = False) -> Evidence:
     """Evidence that each quantity is at most its bound: certified, or refuted at the first place.
 
     rows are made at the precision of bits. Undecided where a comparison is; no rows are undecided.
+    sampled: whether the rows are samples of the range that is claimed; then a pass is numeric,
+    while one place refutes for certain all the same.
     """
     tried, met, open_places = 0, 0, []
     with ctx.workprec(bits):
@@ -61,7 +63,14 @@ def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
             met=met,
             shown=f"not decided: {where}",
         )
-    return Evidence(outcome="pass", grade="certified", tried=tried, met=met, shown=shown)
+    return Evidence(
+        outcome="pass",
+        grade="numeric" if sampled else "certified",
+        digits=int(bits * 0.3) if sampled else None,
+        tried=tried,
+        met=met,
+        shown=shown,
+    )
 
 
 def _text(ball: Any) -> str:

@@ -95,7 +95,9 @@ def sectors(setting: Setting, *, sense: str = "at least", share: str = "1") -> E
                 place = f"R = {radius}, d = {offset}, cosines {pair[0]} and {pair[1]}"
                 yield f"|s^2 - u_max v_max|, of the wrong sign, {place}", -gap, arb(0)
 
-    return bounded(rows(), shown="s_n^2 < u_max v_max on sectors of sixteen kinds off the centre")
+    return bounded(
+        rows(), shown="s_n^2 < u_max v_max on sectors of sixteen kinds off the centre", sampled=True
+    )
 
 
 def shortest(setting: Setting, *, sense: str = "at least", share: str = "1") -> Evidence:
@@ -164,6 +166,7 @@ def zeta_like(
         shown=f"zeta_n/(2 alpha_n^2) is between 1/{constant} and 1 where both axes are within "
         f"{steepest} pi of the outward radius",
         bits=256,
+        sampled=True,
     )
 
 

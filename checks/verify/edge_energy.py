@@ -88,7 +88,9 @@ def amsler_crosses(setting: Setting, *, level: str = "1", least: str = "7/100") 
             yield f"least slope, phi_0 = {name}", enclosure(sp.Rational(least), {}), rate.ball()
 
     return bounded(
-        rows(), shown="phi passes through pi at a rate between 7/100 and 2: the edge is crossed"
+        rows(),
+        shown="phi passes through pi at a rate between 7/100 and 2: the edge is crossed",
+        sampled=True,
     )
 
 

@@ -50,7 +50,7 @@ def dropped_friction(setting: Setting, *, power: int = 1, most: int = 2) -> Evid
                 place = f"|phi'/z| z^{power} at z = {z.str(6, radius=False)}, phi0 = {name}"
                 yield place, abs(slope / z) * z**power, arb(most)
 
-    return bounded(rows(), shown="0 < phi' < 2, so that the friction is below 2/z")
+    return bounded(rows(), shown="0 < phi' < 2, so that the friction is below 2/z", sampled=True)
 
 
 def conserved(setting: Setting, *, potential: int = 1, kinetic: str = "1/2") -> Evidence:
@@ -182,7 +182,9 @@ def slow_amplitude(
         yield f"fall of A up to {place}", (1 - first / start) * z**power, bound
 
     return bounded(
-        rows(), shown=f"for phi0 = {initial} A falls by less than {most} up to z* and in a period"
+        rows(),
+        shown=f"for phi0 = {initial} A falls by less than {most} up to z* and in a period",
+        sampled=True,
     )
 
 
@@ -206,7 +208,9 @@ def matching_data(
                 yield where, abs(value / delta - 1), 1 / (2 * z) + delta**2
 
     return bounded(
-        rows(), shown="angle and slope at z are delta to a relative error of 1/(2 z) + delta^2"
+        rows(),
+        shown="angle and slope at z are delta to a relative error of 1/(2 z) + delta^2",
+        sampled=True,
     )
 
 
@@ -268,7 +272,7 @@ def energy_correction(
             place = f"error of the energy at z = {at}, phi0 = {name}, E - 1 = {_short(true - 1)}"
             yield place, abs(true - corrected(delta, z)), abs(true - 1) / 20
 
-    return bounded(rows(), shown="E - 1 is -delta^2/(2 z) to within 5 %")
+    return bounded(rows(), shown="E - 1 is -delta^2/(2 z) to within 5 %", sampled=True)
 
 
 def _short(ball: Any) -> str:

@@ -101,7 +101,9 @@ def threshold_samples(
                 yield f"-phi' at {part} of the stretch, phi_n = {name}", -slope, arb(0)
 
     return bounded(
-        rows(), shown=f"phi' > 0 at five places of [0, z*] for each phi_n, phi* = {level}"
+        rows(),
+        shown=f"phi' > 0 at five places of [0, z*] for each phi_n, phi* = {level}",
+        sampled=True,
     )
 
 
@@ -162,7 +164,9 @@ def sine_samples(
                 yield f"C^2 phi at {place}", squared * phi, phi.sin()
                 yield f"sin phi at {place}", phi.sin(), initial_angles.fraction(upper) * phi
 
-    return bounded(rows(), shown="C^2 phi < sin phi < phi below phi*, 0 < C < 1, for five phi*")
+    return bounded(
+        rows(), shown="C^2 phi < sin phi < phi below phi*, 0 < C < 1, for five phi*", sampled=True
+    )
 
 
 def linear_solution(
@@ -260,7 +264,9 @@ def bound_samples(
                 above = initial_angles.fraction(upper) * z
                 yield f"phi {place}", phi, phi_n * above.bessel_i(0)
 
-    return bounded(rows(), shown="phi_n I_0(C z) < phi(z) < phi_n I_0(z) at four places each")
+    return bounded(
+        rows(), shown="phi_n I_0(C z) < phi(z) < phi_n I_0(z) at four places each", sampled=True
+    )
 
 
 def pointwise_bound(setting: Setting, *, scale: str = "1") -> Evidence:
@@ -282,4 +288,5 @@ def pointwise_bound(setting: Setting, *, scale: str = "1") -> Evidence:
         rows(),
         shown="z <= z*(phi*) means phi* >= phi(z), and C falls with phi*: the lower bounds for all "
         "phi* are the one with C(phi(z)), which holds at six places for each phi_n",
+        sampled=True,
     )

@@ -79,7 +79,9 @@ def corner_before_threshold(setting: Setting, *, grown: str = "1") -> Evidence:
             place = f"X for phi_n = {name}, phi* = {level}"
             yield place, x, initial_angles.crossing(name, Fraction(level))
 
-    return bounded(rows(), shown="I_0^{-1}(phi*/phi_n) < z* for five pairs phi_n < phi*")
+    return bounded(
+        rows(), shown="I_0^{-1}(phi*/phi_n) < z* for five pairs phi_n < phi*", sampled=True
+    )
 
 
 def zeta_of_cut(setting: Setting, *, factor: str = "2", power: int = 2) -> Evidence:
@@ -139,6 +141,7 @@ def part_1(
         rows(),
         shown="phi <= phi* at the corners of the L-shaped region, where z is "
         "largest, for sixteen rectangles, small ones among them",
+        sampled=True,
     )
 
 
@@ -173,7 +176,9 @@ def part_2(
                 where = f"phi_n I_0(C zeta_n), phi_n = {name}, phi* = {level}, sides {text}{what}"
                 yield where, initial_angles.ball(name) * (c * bound).bessel_i(0), phi
 
-    return bounded(rows(), shown="phi(u_n*, v_n*) >= phi_n I_0(C zeta_n) for each rectangle")
+    return bounded(
+        rows(), shown="phi(u_n*, v_n*) >= phi_n I_0(C zeta_n) for each rectangle", sampled=True
+    )
 
 
 def lower_bound(
@@ -199,7 +204,9 @@ def lower_bound(
                 where = f"bound at the corner, phi_n = {name}, phi* = {level}, sides {text}"
                 yield where, bound, initial_angles.angle(name, z)
 
-    return bounded(rows(), shown="the bound holds at the corner (u_n*, v_n*) for each rectangle")
+    return bounded(
+        rows(), shown="the bound holds at the corner (u_n*, v_n*) for each rectangle", sampled=True
+    )
 
 
 def never_beyond(setting: Setting, *, damping: int = 1) -> Evidence:
@@ -260,6 +267,7 @@ def no_constant_at_pi(
         rows(),
         shown="for phi* = pi no C > 0 serves all phi_n < pi: sin phi_n/phi_n, "
         "which C^2 must not exceed, tends to 0",
+        sampled=True,
     )
 
 
@@ -276,4 +284,5 @@ def threshold_at_start(setting: Setting, *, level: str = "1") -> Evidence:
         rows(),
         shown="for phi_n = phi* the angle exceeds phi* at every u, v > 0: the "
         "cut of the proof is u_n* = v_n* = 0",
+        sampled=True,
     )

@@ -57,6 +57,7 @@ def recursion_bound(
         rows(),
         shown="phi_{n+1} is at least the bound, with the node of the lemma and "
         "with that on the contour of phi itself, wherever a node is needed",
+        sampled=True,
     )
 
 
@@ -136,6 +137,7 @@ def growth_of_small_angles(
         rows(),
         shown="I_0(C X^2/(2 R))/3 >= 1 as soon as X^2 >= 2 R x_0/C, that is "
         "phi_n <= phi*/I_0(sqrt(2 R x_0/C))",
+        sampled=True,
     )
 
 
@@ -172,6 +174,7 @@ def growth_of_angles(
         rows(),
         shown="at the threshold phi_{n+1} >= phi_n, with the node of the lemma "
         "and with that on the contour of phi, for nine pairs R, phi*",
+        sampled=True,
     )
 
 

@@ -98,6 +98,7 @@ def l_shaped_region(setting: Setting, *, grown: str = "1", least: str = "1") -> 
         rows(),
         shown="phi_n <= phi <= phi* < pi on the L-shaped region of each "
         "rectangle that the contour meets",
+        sampled=True,
     )
 
 
@@ -220,7 +221,9 @@ def energy_bound(
             if relation == "equal":
                 yield f"(ebound) against the curvature, {place}", claimed, curvature + arb(EQUAL)
 
-    return bounded(rows(), shown=f"the curvature is {relation} (ebound) on disks without a cut")
+    return bounded(
+        rows(), shown=f"the curvature is {relation} (ebound) on disks without a cut", sampled=True
+    )
 
 
 def _largest_curvature(phi: Any) -> Any:

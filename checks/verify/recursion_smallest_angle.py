@@ -209,7 +209,9 @@ def recursion_run(
                 for n, angle in enumerate(_generations(level, radius, generations), start=1):
                     yield f"phi_min against phi_{n}, R = {text}, phi* = {level}", least, angle
 
-    found = bounded(rows(), shown="phi_n >= phi_min for twelve generations, R = 4, 10, 40")
+    found = bounded(
+        rows(), shown="phi_n >= phi_min for twelve generations, R = 4, 10, 40", sampled=True
+    )
     return replace(found, grade="numeric", digits=14)
 
 
@@ -254,4 +256,5 @@ def cutoff_dependence(
         rows(),
         shown=f"C(phi*) >= C({high}), C'(phi*) <= C'({high}), R_0 = 4 C <= 4 and "
         f"phi_min >= {low}/I_0(C'({high}) sqrt(R)) on [{low}, {high}]",
+        sampled=True,
     )

@@ -41,7 +41,9 @@ def inverted(setting: Setting, *, factor: str = "2") -> Evidence:
                 place = f"alpha^2 of phi_min at s = R against alpha*^2, R = {radius}"
                 yield place, abs(found - alpha_star() ** 2), arb(10) ** -25
 
-    return bounded(rows(), shown="phi_min = phi*/I_0(2 alpha* sqrt R) solves the equation")
+    return bounded(
+        rows(), shown="phi_min = phi*/I_0(2 alpha* sqrt R) solves the equation", sampled=True
+    )
 
 
 def decay(
@@ -98,7 +100,9 @@ def rate(setting: Setting, *, factor: str = "1", under: int = 2, apart: str = "1
             place = f"rate {found.str(6, radius=False)} against {claimed.str(6, radius=False)}"
             yield f"{place}, R = {radius}", abs(found - claimed), fraction(apart)
 
-    return bounded(rows(), shown="-log(phi_min)/sqrt R tends to 2 alpha* = 2.3422", bits=256)
+    return bounded(
+        rows(), shown="-log(phi_min)/sqrt R tends to 2 alpha* = 2.3422", bits=256, sampled=True
+    )
 
 
 def energy_bound(setting: Setting, *, side: str = "both", rate: str = "3") -> Evidence:

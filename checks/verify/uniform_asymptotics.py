@@ -83,4 +83,6 @@ def complete(
                 place = f"least relative error at z = {z.str(6, radius=False)}, phi0 = {name}"
                 yield place, least, initial_angles.fraction(share) / crossing**power
 
-    return bounded(rows(), shown=f"lines {lines}: least relative error at most {share} of 1/z*")
+    return bounded(
+        rows(), shown=f"lines {lines}: least relative error at most {share} of 1/z*", sampled=True
+    )
