@@ -5,6 +5,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+import sympy as sp
+
 Face = Sequence[int]
 Edge = frozenset[int]
 
@@ -114,3 +116,14 @@ def sector_count(order: int, *, per_order: int = 1, offset: int = 0) -> int:
 def is_branch_point(order: int, *, regular: int = 2) -> bool:
     """Whether a point of this order of saddleness is a branch point (line 616)."""
     return order != regular
+
+
+def sector_domain(u_0: Any, v_0: Any, *, sides: str = "none") -> Any:
+    """Domain of the front r in the definition of a sector: the open rectangle, without its sides.
+
+    sides: which are added, `none`, `u` for the side v = 0 without its ends, or `both` with (0, 0).
+    """
+    interval = {False: sp.Interval.open, True: sp.Interval.Ropen}
+    return sp.ProductSet(
+        interval[sides == "both"](0, u_0), interval[sides in ("u", "both")](0, v_0)
+    )

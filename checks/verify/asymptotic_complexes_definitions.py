@@ -216,14 +216,26 @@ def _not_a_rectangle(chart: FaceCoordinates, face: int, across: int) -> str:
     return ""
 
 
-def attaching(
-    setting: Setting, *, family: str = "u", reversal: bool = True, sign: int = -1, share: str = "1"
+def attaching_u(
+    setting: Setting, *, reversal: bool = True, sign: int = -1, share: str = "1"
 ) -> Evidence:
-    """Item (iii): attaching maps of random complexes against the two printed ones.
+    """Item (iii): attaching maps along u-edges of random complexes against the two printed ones.
 
-    family: of the edges; reversal: whether u -> u_k - u is allowed; sign, share: its constants.
+    reversal: whether u -> u_k - u is allowed; sign, share: its constants.
     """
-    rng, along = generator(setting), 0 if family == "u" else 1
+    return _attaching(setting, 0, reversal=reversal, sign=sign, share=share)
+
+
+def attaching_v(
+    setting: Setting, *, reversal: bool = True, sign: int = -1, share: str = "1"
+) -> Evidence:
+    """Item (iii), last sentence: the same along v-edges."""
+    return _attaching(setting, 1, reversal=reversal, sign=sign, share=share)
+
+
+def _attaching(setting: Setting, along: int, *, reversal: bool, sign: int, share: str) -> Evidence:
+    """Evidence for the edges along one coordinate, 0 for u and 1 for v."""
+    rng = generator(setting)
     kept = turned_round = 0
     for name, complex_ in samples(setting, simply_connected=False, random=4).items():
         chart = coordinates(turned(complex_, rng), rng)
