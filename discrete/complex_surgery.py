@@ -113,7 +113,8 @@ def surgery(
     """Complex with the quadrant of a vertex at a face replaced by sectors, and the vertex in it.
 
     lengths: edges of the 2k new rays; the order of saddleness of the vertex grows by k. Raises
-    SurgeryError for a vertex on the boundary or a quadrant that is no grid.
+    SurgeryError for a vertex on the boundary or a quadrant that is no grid, and the errors of
+    AsymptoticComplex where what is left is none.
     """
     if complex_.is_boundary[vertex]:
         raise SurgeryError(f"vertex {vertex} is on the boundary: attach sectors there instead")

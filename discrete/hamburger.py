@@ -35,10 +35,9 @@ class HamburgerPolygon:
         self._refuse_no_arcs()
 
     def _refuse_no_path(self) -> None:
-        if self.path.min() < 0 or self.path.max() >= self.complex.vertex_count:
-            raise PolygonError(
-                f"vertex {self.path.max()} or {self.path.min()} is not in the complex"
-            )
+        absent = self.path[(self.path < 0) | (self.path >= self.complex.vertex_count)]
+        if len(absent):
+            raise PolygonError(f"vertex {absent[0]} of the path is not in the complex")
         found, counts = np.unique(self.path, return_counts=True)
         if (counts > 1).any():
             raise PolygonError(f"the path meets vertex {found[np.argmax(counts > 1)]} twice")
