@@ -80,7 +80,7 @@ def test_the_balance_holds_to_rounding():
 
 def test_the_balance_is_certified_in_balls():
     with ctx.workprec(128):
-        for complex_, found, rng in SAMPLES[::4]:
+        for complex_, found, rng in SAMPLES:
             angles = ball_angles(exact_angles(complex_, rng))
             for polygon in found:
                 residual = charges(polygon, angles, straight_angle=arb.pi()).residual
@@ -142,6 +142,30 @@ def test_corners_alternate():
             assert (polygon.quads[polygon.corners] % 2 == 1).all()
             straight = polygon.path[~polygon.is_corner]
             assert (polygon.quads[straight] == 2).all()
+
+
+def test_signs_of_corners_begin_with_the_u_arcs_counterclockwise():
+    """The signs of the Hazzidakis formula: + at (0, 0) and (u, v), - at (u, 0) and (0, v)."""
+    v = grid(3, 2)
+    path = np.concatenate([v[:, 0], v[-1, 1:], v[-2::-1, -1], v[0, -2:0:-1]])
+    forwards = HamburgerPolygon(complex=rectangle(3, 2), path=path)
+    assert forwards.is_counterclockwise
+    assert forwards.corners.tolist() == [v[0, 0], v[-1, 0], v[-1, -1], v[0, -1]]
+    assert forwards.corner_signs.tolist() == [1, -1, 1, -1]
+    backwards = HamburgerPolygon(complex=rectangle(3, 2), path=path[::-1])
+    assert not backwards.is_counterclockwise
+    by_corner = dict(zip(forwards.corners, forwards.corner_signs, strict=True))
+    assert dict(zip(backwards.corners, backwards.corner_signs, strict=True)) == by_corner
+
+
+def test_signs_of_corners_do_not_depend_on_the_way_round():
+    for _, found, _ in SAMPLES[::10]:
+        for polygon in found:
+            other = HamburgerPolygon(complex=polygon.complex, path=polygon.path[::-1])
+            assert polygon.is_counterclockwise != other.is_counterclockwise
+            assert polygon.corner_signs.sum() == 0
+            one, two = (dict(zip(p.corners, p.corner_signs, strict=True)) for p in (polygon, other))
+            assert one == two
 
 
 def test_the_faces_of_a_polygon_are_those_that_it_was_drawn_around():

@@ -381,7 +381,7 @@ _COLOURING = (
                 run=_COLOURING_CHECKS + "dual_cycles_equal",
                 routes=(
                     "discrete.dual_cycles (short cycles and a basis)",
-                    "discrete.dual_cycles:crossings",
+                    "discrete.signed_graph (double cover)",
                 ),
                 mutants=(Mutant(name="equal modulo 4", given={"modulus": 4}),),
             ),
@@ -392,7 +392,7 @@ _COLOURING = (
                 given={"modulus": 2, "simply_connected": True},
                 routes=(
                     "discrete.dual_cycles (short cycles and a basis)",
-                    "discrete.dual_cycles:crossings",
+                    "discrete.signed_graph (double cover)",
                 ),
                 mutants=(
                     Mutant(name="equal modulo 4", given={"modulus": 4, "simply_connected": True}),
@@ -437,7 +437,7 @@ _COLOURING = (
                 run=_COLOURING_CHECKS + "dual_cycles_even",
                 routes=(
                     "discrete.dual_cycles (short cycles and a basis)",
-                    "discrete.dual_cycles:crossings",
+                    "discrete.signed_graph (double cover)",
                 ),
                 mutants=(Mutant(name="lengths divisible by 4", given={"divisor": 4}),),
             ),
@@ -448,7 +448,7 @@ _COLOURING = (
                 given={"simply_connected": True},
                 routes=(
                     "discrete.dual_cycles (short cycles and a basis)",
-                    "discrete.dual_cycles:crossings",
+                    "discrete.signed_graph (double cover)",
                 ),
                 mutants=(
                     Mutant(

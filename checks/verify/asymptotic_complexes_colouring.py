@@ -133,6 +133,11 @@ def _cycles(complex_: AsymptoticComplex) -> Iterator[Cycle]:
     yield from fundamental_cycles(complex_)
 
 
+def _no_double_cover(complex_: AsymptoticComplex) -> str:
+    """Objection of the other route: the double cover of the dual graph does not fall apart."""
+    return "" if complex_.checkerboard is not None else "the double cover of the dual is connected"
+
+
 def dual_cycles_equal(
     setting: Setting, *, modulus: int = 0, simply_connected: bool = False
 ) -> Evidence:
@@ -143,7 +148,7 @@ def dual_cycles_equal(
             u, v = crossings(complex_, cycle)
             if (u - v) % modulus if modulus else u != v:
                 return f"the faces {' '.join(map(str, cycle))} cross {u} u- and {v} v-edges"
-        return ""
+        return _no_double_cover(complex_) if modulus == 2 else ""
 
     found = samples(setting, simply_connected=simply_connected)
     if modulus == 0:
@@ -153,7 +158,8 @@ def dual_cycles_equal(
         found,
         objection,
         "on every cycle of a basis of the dual cycles, and so on every cycle, the numbers of u- "
-        "and v-edges crossed are of one parity; on the small complexes every short cycle is tried",
+        "and v-edges crossed are of one parity, as the double cover of the dual graph confirms; on "
+        "the small complexes every short cycle is tried",
     )
 
 
@@ -166,13 +172,13 @@ def dual_cycles_even(
         for cycle in _cycles(complex_):
             if len(cycle) % divisor:
                 return f"the faces {' '.join(map(str, cycle))} form a ring of {len(cycle)}"
-        return ""
+        return _no_double_cover(complex_) if divisor == 2 else ""
 
     return _over(
         samples(setting, simply_connected=simply_connected),
         objection,
-        "every cycle of a basis of the cycles of the dual graph is even, and so every cycle is; on "
-        "the small complexes every short cycle is tried",
+        "every cycle of a basis of the cycles of the dual graph is even, and so every cycle is, as "
+        "its double cover confirms; on the small complexes every short cycle is tried",
     )
 
 
