@@ -3,6 +3,7 @@
 import networkx as nx
 import numpy as np
 import pytest
+from complexes import CORPUS, face_at, random_complex
 
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.complex_errors import (
@@ -16,7 +17,6 @@ from discrete.complex_errors import (
 )
 from discrete.complex_surgery import attached, boundary_segment, quadrant, surgery
 from discrete.gluing import Seam, fan, glued, grid, rectangle, side, star
-from tests.complexes import CORPUS, face_at, random_complex
 
 RANDOM = {f"random {n}": random_complex(np.random.default_rng(n), 4) for n in range(12)}
 EVERY = pytest.mark.parametrize("complex_", (CORPUS | RANDOM).values(), ids=CORPUS | RANDOM)

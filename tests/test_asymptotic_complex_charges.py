@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 import sympy as sp
+from complexes import CORPUS, ball_angles, exact_angles, float_angles, random_complex
 from flint import arb, ctx
 
 from discrete.charges import charges
@@ -21,7 +22,6 @@ from discrete.index import (
     ramification_index,
     ramified_vertex,
 )
-from tests.complexes import CORPUS, ball_angles, exact_angles, float_angles, random_complex
 
 COMPLEXES = 220
 ROUNDING = 1e-15

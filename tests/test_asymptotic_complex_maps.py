@@ -6,6 +6,7 @@ from itertools import pairwise
 import networkx as nx
 import numpy as np
 import pytest
+from complexes import CORPUS, ball_angles, exact_angles, face_at
 from flint import arb, ctx
 
 from checks.evidence import Setting
@@ -28,7 +29,6 @@ from discrete.index import angle_sums, ramified_vertex
 from discrete.quad_graph import mislabelled_edge, repeated_corner, sides
 from discrete.refinement import refined
 from discrete.vertex_fan import vertex_fan
-from tests.complexes import CORPUS, ball_angles, exact_angles, face_at
 
 SMALL = {name: c for name, c in CORPUS.items() if len(c.faces) <= 60}
 CLOSED = {"torus": torus(3, 4), "cylinder": band(3), "Moebius band": band(4, twisted=True)}

@@ -30,7 +30,6 @@ def _over(found: Samples, objection: Callable[[AsymptoticComplex], str], shown: 
                 tried=tried,
                 met=tried,
                 witness=f"{name}: {witness}",
-                shown=shown,
             )
     return Evidence(
         outcome="pass", grade="exact", residual="0", tried=len(found), met=len(found), shown=shown
