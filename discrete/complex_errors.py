@@ -41,3 +41,7 @@ class AngleSumError(DiscreteError):
 
 class NormalError(DiscreteError):
     """The normal does not wind around a vertex: a neighbour's is the same or antipodal."""
+
+
+class UndecidedError(DiscreteError):
+    """A ball is too wide to decide a condition at a vertex: more bits may do."""

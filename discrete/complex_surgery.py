@@ -12,7 +12,7 @@ from discrete.signed_graph import BoolArray, IntArray
 
 def restricted(complex_: AsymptoticComplex, keep: BoolArray) -> tuple[AsymptoticComplex, IntArray]:
     """Complex of the faces that are kept, and the new number of each vertex (-1 if it is lost)."""
-    used = np.unique(complex_.faces[keep])
+    used = np.flatnonzero(np.bincount(complex_.faces[keep].ravel()))
     place = np.full(complex_.vertex_count, -1, dtype=np.int64)
     place[used] = np.arange(len(used))
     return AsymptoticComplex(faces=place[complex_.faces[keep]]), place
@@ -58,26 +58,48 @@ def attached(
     return found.complex, found.places[-1]
 
 
-def _row(complex_: AsymptoticComplex, face: int, entry: int) -> tuple[list[int], list[int]]:
-    """Faces met from one on through opposite sides, and the side by which each was entered."""
-    faces, entries, seen = [face], [entry], {face}
-    while (across := int(complex_.neighbour[faces[-1], (entries[-1] + 2) % 4])) >= 0:
-        if across // 4 in seen:
-            raise SurgeryError(f"the row of faces from face {face} closes up: it is no quadrant")
-        seen.add(across // 4)
-        faces.append(across // 4)
-        entries.append(across % 4)
-    return faces, entries
+def _along_ray(complex_: AsymptoticComplex, face: int, corner: int) -> tuple[list[int], list[int]]:
+    """Faces along the u-line that leaves a corner of a face, and their sides on that line."""
+    faces, sides, seen = [], [], set()
+    while face not in seen:
+        seen.add(face)
+        u_side, v_side = sorted((corner, (corner - 1) % 4), key=lambda s: s % 2)
+        faces.append(face)
+        sides.append(u_side)
+        # The u-side leads from this corner to the next vertex of the line.
+        onwards = (u_side + 1) % 4 if u_side == corner else u_side
+        vertex = complex_.faces[face, onwards]
+        across = int(complex_.neighbour[face, (v_side + 2) % 4])
+        if across < 0:
+            return faces, sides
+        face = across // 4
+        corner = int(np.flatnonzero(complex_.faces[face] == vertex)[0])
+    raise SurgeryError(f"the row of faces from face {faces[0]} closes up: it is no quadrant")
 
 
-def _row_above(complex_: AsymptoticComplex, below: list[int], start: int, entry: int) -> list[int]:
-    """Row of faces, each across a u-edge from that of the row below; empty if there is none."""
-    above = complex_.neighbour[below][:, ::2] // 4
-    for turn in (1, 3):
-        row, _ = _row(complex_, start, (entry + turn) % 4)
-        if len(row) == len(below) and (above == np.array(row)[:, np.newaxis]).any(axis=1).all():
-            return row
-    return []
+def _is_row(complex_: AsymptoticComplex, row: IntArray) -> bool:
+    """Whether faces are neighbours across v-edges, one after the other, up to the boundary."""
+    across = complex_.neighbour[row][:, 1::2] // 4
+    ends = bool((across[-1] < 0).any())
+    return ends and bool((across[:-1] == row[1:, np.newaxis]).any(axis=1).all())
+
+
+def _rows(complex_: AsymptoticComplex, face: int, corner: int) -> list[IntArray] | None:
+    """Rows of faces that lie on each other, the first on a u-line; None if they are no grid."""
+    first, sides = _along_ray(complex_, face, corner)
+    rows: list[IntArray] = []
+    row, entries = np.array(first), np.array(sides)
+    while len(rows) < len(complex_.faces):
+        rows.append(row)
+        across = complex_.neighbour[row, (entries + 2) % 4]
+        if not _is_row(complex_, row):
+            return None
+        if (across < 0).all():
+            return rows
+        if (across < 0).any():
+            return None
+        row, entries = across // 4, across % 4
+    return None
 
 
 def quadrant(complex_: AsymptoticComplex, vertex: int, face: int) -> IntArray:
@@ -89,17 +111,8 @@ def quadrant(complex_: AsymptoticComplex, vertex: int, face: int) -> IntArray:
     corners = np.flatnonzero(complex_.faces[face] == vertex)
     if not len(corners):
         raise SurgeryError(f"face {face} does not meet vertex {vertex}")
-    corner = int(corners[0])
-    u_side, v_side = sorted((corner, (corner - 1) % 4), key=lambda s: s % 2)
-    rows = [_row(complex_, face, v_side)[0]]
-    column, entries = _row(complex_, face, u_side)
-    for start, entry in zip(column[1:], entries[1:], strict=True):
-        rows.append(_row_above(complex_, rows[-1], start, entry))
-        if not rows[-1]:
-            break
-    at_boundary = (complex_.neighbour[rows[-1]][:, ::2] < 0).any(axis=1).all()
-    distinct = len({f for row in rows for f in row}) == len(rows) * len(rows[0])
-    if not (rows[-1] and at_boundary and distinct):
+    rows = _rows(complex_, face, int(corners[0]))
+    if rows is None or np.bincount(np.concatenate(rows)).max() > 1:
         raise SurgeryError(
             f"the quadrant of vertex {vertex} at face {face} is no grid of rectangles: a branch "
             "point or a step of the boundary is in it"
@@ -113,7 +126,8 @@ def surgery(
     """Complex with the quadrant of a vertex at a face replaced by sectors, and the vertex in it.
 
     lengths: edges of the 2k new rays; the order of saddleness of the vertex grows by k. Raises
-    SurgeryError for a vertex on the boundary or a quadrant that is no grid.
+    SurgeryError for a vertex on the boundary or a quadrant that is no grid, and the errors of
+    AsymptoticComplex where what is left is none.
     """
     if complex_.is_boundary[vertex]:
         raise SurgeryError(f"vertex {vertex} is on the boundary: attach sectors there instead")

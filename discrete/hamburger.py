@@ -35,10 +35,9 @@ class HamburgerPolygon:
         self._refuse_no_arcs()
 
     def _refuse_no_path(self) -> None:
-        if self.path.min() < 0 or self.path.max() >= self.complex.vertex_count:
-            raise PolygonError(
-                f"vertex {self.path.max()} or {self.path.min()} is not in the complex"
-            )
+        absent = self.path[(self.path < 0) | (self.path >= self.complex.vertex_count)]
+        if len(absent):
+            raise PolygonError(f"vertex {absent[0]} of the path is not in the complex")
         found, counts = np.unique(self.path, return_counts=True)
         if (counts > 1).any():
             raise PolygonError(f"the path meets vertex {found[np.argmax(counts > 1)]} twice")
@@ -73,6 +72,25 @@ class HamburgerPolygon:
     def corners(self) -> IntArray:
         """Vertices of the path at which the family of edges changes."""
         return np.asarray(self.path[self.is_corner])
+
+    @cached_property
+    def is_counterclockwise(self) -> bool:
+        """Whether the path turns as (p, p_u, p_uv, p_v) in face 0, with the inside on its left."""
+        face, side = (int(n[0]) for n in np.nonzero(self._inner_sides == self.edges[0]))
+        along = self.complex.faces[face, side] == self.path[0]
+        signs = self.complex.orientation
+        return signs is not None and bool((signs[face] > 0) == along)
+
+    @cached_property
+    def _inner_sides(self) -> IntArray:
+        """Edge that each side of an enclosed face is, -1 for the other faces."""
+        return np.where(self.inside[:, np.newaxis], self.complex.sides.edge_of, -1)
+
+    @cached_property
+    def corner_signs(self) -> IntArray:
+        """Sign of each corner, + where a u-arc begins counterclockwise (eq:sg-hamburger)."""
+        begins = self.complex.edge_is_u[self.edges[self.is_corner]]
+        return np.where(begins == self.is_counterclockwise, 1, -1)
 
     @cached_property
     def inside(self) -> BoolArray:

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from discrete.asymptotic_complex import AsymptoticComplex
-from discrete.complex_errors import AngleSumError, NormalError
+from discrete.complex_errors import AngleSumError, NormalError, UndecidedError
 from discrete.signed_graph import IntArray
 
 FloatArray = npt.NDArray[np.float64]
@@ -108,23 +108,35 @@ def angle_sums(complex_: AsymptoticComplex, angles: Angles) -> Angles:
     return sums
 
 
+def _below(one: Any, other: Any, vertex: int) -> bool:
+    """Whether one number is below another; raises UndecidedError where balls do not tell."""
+    if one < other:
+        return True
+    if one >= other:
+        return False
+    raise UndecidedError(f"the angle sum at vertex {vertex} is not decided: take more bits")
+
+
 def ramified_vertex(
-    complex_: AsymptoticComplex, angles: Angles, *, straight_angle: Any, tolerance: float = 0.0
+    complex_: AsymptoticComplex, angles: Angles, *, straight_angle: Any, tolerance: Any = 0
 ) -> int | None:
     """First vertex at which the negative angles of a spherical net break (eq:unramified), or None.
 
     Inside they add up to 2 pi (1 - m) to within the tolerance; at a boundary vertex of degree d
-    their sum is between (1 - d) pi and the lesser of (3 - d) pi and 0. straight_angle: pi in the
-    unit of the angles. A ball that does not decide counts as a breach.
+    their sum is between (1 - d) pi and the lesser of (3 - d) pi and 0.
+    straight_angle: pi in the unit of the angles. Raises UndecidedError naming the vertex where a
+    ball is too wide.
     """
     sums = angle_sums(complex_, angles)
     for vertex in range(complex_.vertex_count):
         degree, total = int(complex_.degree[vertex]), sums[vertex]
         if not complex_.is_boundary[vertex]:
-            fine = abs(total - (2 - degree) * straight_angle) <= tolerance
+            fine = not _below(tolerance, abs(total - (2 - degree) * straight_angle), vertex)
         else:
-            above = total > (1 - degree) * straight_angle
-            fine = above and total < 0 and total < (3 - degree) * straight_angle
+            bounds = (0, (3 - degree) * straight_angle)
+            fine = _below((1 - degree) * straight_angle, total, vertex) and all(
+                _below(total, bound, vertex) for bound in bounds
+            )
         if not fine:
             return vertex
     return None
