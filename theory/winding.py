@@ -76,8 +76,11 @@ def _half_plane(point: tuple[arb, arb]) -> int | None:
 def winding_by_arcs(loop: Loop, *, depth: int = 14) -> int:
     """Winding number about the origin of a closed curve given on balls of its parameter in [0, 1].
 
-    Raises UndecidedError where an arc of length 2^-depth is in no half-plane for sure.
+    Raises UndecidedError where an arc of length 2^-depth is in no half-plane for sure, ValueError
+    where the curve is certainly not closed.
     """
+    if not all(a.overlaps(b) for a, b in zip(loop(arb(0)), loop(arb(1)), strict=True)):
+        raise ValueError("the curve is not closed")
     labels: list[int] = []
     pending = [(Fraction(k, 8), Fraction(k + 1, 8)) for k in reversed(range(8))]
     while pending:
@@ -95,11 +98,8 @@ def winding_by_arcs(loop: Loop, *, depth: int = 14) -> int:
         for before, after in zip(labels, labels[1:] + labels[:1], strict=True)
     ]
     if 2 in steps:
-        raise UndecidedError("neighbouring arcs in opposite half-planes: the curve is not closed")
-    turns, rest = divmod(sum(steps), 4)
-    if rest:
-        raise UndecidedError("the curve is not closed")
-    return turns
+        raise ValueError("neighbouring arcs in opposite half-planes: the curve is not continuous")
+    return sum(steps) // 4
 
 
 def arc(start: Fraction, end: Fraction) -> arb:

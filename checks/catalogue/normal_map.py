@@ -129,8 +129,8 @@ _INDEX = (
             r"it counter-clockwise.",
             kind="ambiguous",
             witness=r"$w = (x_1^2 - x_2^2)/2$ over the plane, $p = 0$: $\nabla w = (x_1, "
-            r"-x_2)$. The circle of centre $(3/2, 0)$ and radius 1, a simple closed curve in $U$, gives the "
-            r"degree 0; the unit circle gives $-1$, and run through clockwise $+1$.",
+            r"-x_2)$. The circle of centre $(3/2, 0)$ and radius 1, a simple closed curve in "
+            r"$U$, gives the degree 0; the unit circle gives $-1$, and run through clockwise $+1$.",
             conclusion_survives=True,
             remark="The degree counts what the curve encloses; all uses in the paper take small "
             "circles about p, counter-clockwise.",
@@ -248,7 +248,7 @@ _GRAPHS = (
         checks=(
             Check(
                 name="direction of pi(N)",
-                run="checks.verify.normal_index:graph_normal",
+                run="checks.verify.normal_graphs:graph_normal",
                 routes=(
                     "upward normal of a graph, retracted",
                     "the gradient",
@@ -257,7 +257,7 @@ _GRAPHS = (
             ),
             Check(
                 name="opposite to the gradient",
-                run="checks.verify.normal_index:graph_normal",
+                run="checks.verify.normal_graphs:graph_normal",
                 form="corrected",
                 given={"sign": -1},
                 routes=(
@@ -293,7 +293,7 @@ _GRAPHS = (
         checks=(
             Check(
                 name="degree of the gradient",
-                run="checks.verify.normal_index:graph_index",
+                run="checks.verify.normal_graphs:graph_index",
                 routes=(
                     "degree of pi(N) by definition, arc by arc in balls",
                     "zeros of the gradient inside the circle",
@@ -339,6 +339,16 @@ _COVERING = (
                 ),
             ),
             Check(
+                name="loops of finite size",
+                run="checks.verify.star_loops:winding_of_stars",
+                form="support",
+                routes=("normals of stars by Picard iteration", "1 - m_p"),
+                mutants=(
+                    Mutant(name="J_p = 2 - m_p", given={"offset": 2}, near=True),
+                    Mutant(name="N reflected on odd sectors", given={"swapped": True}),
+                ),
+            ),
+            Check(
                 name="no further turn near p",
                 run="checks.verify.normal_separation:separation",
                 form="support",
@@ -372,7 +382,13 @@ _COVERING = (
         where="proof of (lem:covering-number), lines 686-687",
         kind="sentence",
         statement=r"$N$ is Lipschitz for a $C^{1,1}$ immersion, so $m_p$ and $J_p$ are defined.",
-        hypotheses=_IMMERSION,
+        hypotheses=(
+            *_IMMERSION,
+            (
+                r"(used, not stated) $N(x) \ne N(p)$ near $p$, which continuity does not give but "
+                r"the curvature $-1$ does"
+            ),
+        ),
         rests_on=("def:Jp",),
         checks=(
             Check(
@@ -393,7 +409,13 @@ _COVERING = (
         kind="sentence",
         statement=r"$m_p$ and $J_p$ are invariant under Euclidean motions, so one may take $y(p) = "
         r"0$ and $N(p) = \mathbf{e}_3$.",
-        hypotheses=(*_IMMERSION, "(used, not stated) motions that keep the orientation, for $J_p$"),
+        hypotheses=(
+            *_IMMERSION,
+            (
+                r"(used, not stated) $N$ is given by the orientation of $\Omega$, so that it "
+                "changes sign besides where the motion is a reflection"
+            ),
+        ),
         rests_on=("def:Jp",),
         checks=(
             Check(
@@ -585,7 +607,7 @@ _COVERING = (
         checks=(
             Check(
                 name="path between the saddles",
-                run="checks.verify.normal_index:winding_jump",
+                run="checks.verify.normal_graphs:winding_jump",
                 routes=(
                     "zeros of the gradient inside the unit circle",
                     "where the gradient vanishes on the circle",

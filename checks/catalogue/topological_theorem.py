@@ -351,8 +351,8 @@ _THEOREM = (
             *_SEQUENCE,
             *_BALL,
             (
-                r"(used, not stated) $d_0$ belongs to the radius $\epsilon$, not to $\delta(p) > "
-                r"\epsilon$"
+                r"(used, not stated) $c(k_{\max})$ serves $y$ too, sector by sector: $d_0$ alone, "
+                r"which belongs to $\delta(p) > \epsilon$, is no bound on the collar of $\epsilon$"
             ),
         ),
         rests_on=("lem:injective", "3.3.common-radius"),

@@ -2,48 +2,15 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import expm
 
 from checks.evidence import Evidence, Setting
 from checks.searches import smooth_near_star, star_normals
 from checks.stored import load
 from checks.verify.stored_searches import judged
 from theory import star_saddle
+from theory.sector_normals import sector_normals
 
 Array = NDArray[np.float64]
-
-
-def _curve(frame: Array, torsion: float, bending: Array, cells: int, step: float) -> Array:
-    """Normals of a curve by the exponential of its Frenet matrix; frame: rows T, N x T, N."""
-    normals = [frame[2]]
-    turns = [
-        expm(step * np.array([[0, k, 0], [-k, 0, torsion], [0, -torsion, 0]])) for k in bending
-    ]
-    for i in range(cells):
-        frame = turns[i * len(bending) // cells] @ frame
-        normals.append(frame[2])
-    return np.array(normals)
-
-
-def _sector(angle: float, bend_u: Array, bend_v: Array, length: float, cells: int) -> Array:
-    """Normals of a sector by iterating N = N(u, 0) + N(0, v) - N(p) - iint (N_u . N_v) N."""
-    step = length / cells
-    c, s = np.cos(angle), np.sin(angle)
-    along_u = _curve(np.eye(3), -1.0, bend_u, cells, step)
-    along_v = _curve(np.array([[c, s, 0], [-s, c, 0], [0, 0, 1.0]]), 1.0, bend_v, cells, step)
-    free = along_u[:, None] + along_v[None, :] - along_u[0]
-    normals: Array = free
-    for _ in range(200):
-        a, b = np.diff(normals, axis=0), np.diff(normals, axis=1)
-        product = np.sum((a[:, 1:] + a[:, :-1]) * (b[1:] + b[:-1]), axis=2) / 4
-        middle = (normals[1:, 1:] + normals[1:, :-1] + normals[:-1, 1:] + normals[:-1, :-1]) / 4
-        total = np.zeros_like(normals)
-        total[1:, 1:] = np.cumsum(np.cumsum(-product[..., None] * middle, axis=0), axis=1)
-        following: Array = free + total
-        if np.max(np.abs(following - normals)) < 1e-13:
-            return following
-        normals = following
-    raise ArithmeticError("the iteration of the integral equation did not converge")
 
 
 def _excess(normals: Array, step: float, cone: float) -> float:
@@ -77,12 +44,13 @@ def star_normals_search(
     angle, bend_u, bend_v, length = star_normals.data(np.array(run.result["point"]))
     cone = cone_percent / 100
     worst = max(
-        _excess(_sector(angle, bend_u, bend_v, length, n), length / n, cone)
+        _excess(sector_normals((0.0, angle), bend_u, bend_v, length, n), length / n, cone)
         for n in (star_normals.CELLS, 2 * star_normals.CELLS)
     )
     straight = np.zeros(1)
     small = max(
-        _excess(_sector(phi, straight, straight, 0.004, 8), 0.0005, cone) for phi in (0.3, 1.0, 1.5)
+        _excess(sector_normals((0.0, phi), straight, straight, 0.004, 8), 0.0005, cone)
+        for phi in (0.3, 1.0, 1.5)
     )
     failures = []
     if not max(worst, small) < bound_percent / 100:

@@ -10,7 +10,7 @@ from checks.exact import combined, identities, statement
 from checks.positivity import positivity
 from checks.printed import normal_map
 from checks.printed import topological_theorem as printed
-from checks.verify.normal_index import front_indices
+from checks.verify.front_index import front_indices
 from checks.verify.normal_separation import collar_claims
 from theory import normal_bounds, star_normal, star_saddle
 from theory.vectors import Vector, added, cross, derivative, scaled

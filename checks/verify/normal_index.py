@@ -5,22 +5,19 @@ from typing import Any
 import sympy as sp
 from flint import arb, fmpq
 
-from checks.ball import enclosure
-from checks.ball_arguments import value_on
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
 from checks.printed import normal_map as printed
+from checks.verify.front_index import front_indices
 from theory import star_saddle
-from theory.orientation import generic_plane
 from theory.polynomial_graph import PolynomialGraph, circle, real_power
-from theory.surfaces import Front, dini, kuen, pseudosphere
-from theory.vectors import Vector, cross, derivative, dot
+from theory.vectors import Vector, cross, dot
 from theory.winding import X, Y, winding_by_arcs, winding_by_zeros
 
 _POLE: Vector = (arb(0), arb(0), arb(1))
 _RADIUS = sp.Rational(1, 10)
 #: An isolated zero of the gradient at the origin, of known or unknown index.
-_SADDLES: dict[str, Any] = {
+SADDLES: dict[str, Any] = {
     "x^2 - y^2": X**2 - Y**2,
     "3 x y - y^2 + x^3": 3 * X * Y - Y**2 + X**3,
     "Re z^3": real_power(3),
@@ -30,7 +27,7 @@ _SADDLES: dict[str, Any] = {
 }
 
 
-def _ball_index(graph: PolynomialGraph, *, turns: int = 1, radius: Any = _RADIUS) -> int:
+def ball_index(graph: PolynomialGraph, *, turns: int = 1, radius: Any = _RADIUS) -> int:
     """Winding number of x_perp along the circle in the tangent plane at 0, in balls."""
     size = fmpq(int(radius.p), int(radius.q))
 
@@ -49,7 +46,7 @@ def _meets_pole(graph: PolynomialGraph) -> bool:
     )
 
 
-def _certified(wrong: list[str], *, tried: int, shown: str) -> Evidence:
+def certified(wrong: list[str], *, tried: int, shown: str) -> Evidence:
     """Evidence from degrees decided in balls; wrong: what does not agree, in words."""
     return Evidence(
         outcome="fail" if wrong else "pass",
@@ -68,18 +65,18 @@ def ramification_index(setting: Setting, *, turns: int = 1, refused: str = "x**2
     for N(x) = N(p) on a line.
     """
     wrong = []
-    for name, height in _SADDLES.items():
+    for name, height in SADDLES.items():
         graph = PolynomialGraph(height=height)
-        found = _ball_index(graph, turns=turns)
+        found = ball_index(graph, turns=turns)
         down = (-graph.gradient[0], -graph.gradient[1])
         if found != (expected := winding_by_zeros(down, 0, _RADIUS)) or _meets_pole(graph):
             wrong.append(f"w = {name}: degree {found}, by zeros {expected}")
     near_miss = sp.sympify(refused, locals={"x": X, "y": Y})
     if not _meets_pole(PolynomialGraph(height=near_miss)):
         wrong.append(f"w = {refused} is not refused")
-    return _certified(
+    return certified(
         wrong,
-        tried=len(_SADDLES),
+        tried=len(SADDLES),
         shown="the degree along one circuit of p agrees, for six graphs, with the zeros of the "
         "gradient inside; the parabolic cylinder, where N(x) = N(p) on a line, is refused",
     )
@@ -155,7 +152,7 @@ def well_defined(
                 f"Re z^{order}: the circle of centre {center} and radius {radius}, {told}, gives "
                 f"{found[bad[0]]}, a small circle about p gives {expected}"
             )
-    return _certified(
+    return certified(
         wrong,
         tried=3 * len(_CIRCLES),
         shown="along circles about p that bound a disk in V the degree does not depend on the "
@@ -180,7 +177,7 @@ def negative_curvature(setting: Setting, *, curvature: int = -1, sense: int = -1
         shown="the gradient turns with the sign of det H",
     )
     heights = {-1: (X**2 - Y**2, 3 * X * Y + Y**2), 1: (X**2 + Y**2, 3 * X**2 + X * Y + Y**2)}
-    indices = {f"w = {w}": _ball_index(PolynomialGraph(height=w)) for w in heights[curvature]}
+    indices = {f"w = {w}": ball_index(PolynomialGraph(height=w)) for w in heights[curvature]}
     if curvature < 0:
         indices |= front_indices()
         indices |= {
@@ -193,7 +190,7 @@ def negative_curvature(setting: Setting, *, curvature: int = -1, sense: int = -1
     return combined(
         {
             "rate": identity,
-            "indices": _certified(wrong, tried=len(indices), shown="indices"),
+            "indices": certified(wrong, tried=len(indices), shown="indices"),
         },
         shown="where the Hessian has a negative determinant the gradient turns clockwise at every "
         "moment of the circuit; J_p < 0 on saddles, on stars, and on the pseudosphere, Dini's and "
@@ -204,50 +201,6 @@ def negative_curvature(setting: Setting, *, curvature: int = -1, sense: int = -1
 def star_index(order: int) -> int:
     """Winding number of the gradient of the quadratic saddle over the regular star."""
     return int(star_saddle.winding_number(star_saddle.regular_star(order)))
-
-
-_SMALL = fmpq(1, 50)
-_POINTS = ((sp.Rational(1), sp.Rational(1, 3)), (sp.Rational(3, 2), sp.Rational(-1, 2)),
-           (sp.Rational(1, 2), sp.Rational(1)))  # fmt: skip
-
-
-def front_indices(*, radius: fmpq = _SMALL, points: int = 3) -> dict[str, int]:
-    """J_p at points of three smooth fronts, along circles of this radius in the (u, v)-plane."""
-    fronts = (pseudosphere(), dini(sp.Rational(3, 2)), kuen())
-    return {
-        f"{front.name} at (u, v) = {point}": _front_index(front, point, radius)
-        for front in fronts
-        for point in _POINTS[:points]
-    }
-
-
-def _front_index(front: Front, point: tuple[Any, Any], radius: fmpq) -> int:
-    """J_p of a front at a point off its edges, along a circle of its (u, v)-plane, in balls."""
-    u, v = sp.symbols("u v", real=True)
-    normal, position = front.at(front.normal, u, v), front.at(front.position, u, v)
-    place = {u: point[0], v: point[1]}
-    pole = _values(normal, place)
-    r_u, r_v = (_values(derivative(position, s), place) for s in (u, v))
-    area = dot(cross(r_u, r_v), pole)
-    if not (area > 0 or area < 0):
-        raise ArithmeticError("the point lies too near to an edge")
-    side = 1 if area > 0 else -1
-    first = cross(pole, (arb(1), arb(2), arb(3)))
-    second = cross(pole, first)
-
-    def loop(t: arb) -> tuple[arb, arb]:
-        x, y = circle(t, radius, turns=side)
-        there = {u: x + enclosure(point[0], {}), v: y + enclosure(point[1], {})}
-        x, y, z = (value_on(entry, there) for entry in normal)
-        part = printed.tangential_part(pole, (x, y, z))
-        return dot(part, first), dot(part, second)
-
-    return winding_by_arcs(loop)
-
-
-def _values(a: Vector, place: dict[sp.Symbol, Any]) -> Vector:
-    """Triple of balls from a triple of expressions."""
-    return (enclosure(a[0], place), enclosure(a[1], place), enclosure(a[2], place))
 
 
 def motion_invariant(setting: Setting, *, reflected_normal: int = -1) -> Evidence:
@@ -293,58 +246,6 @@ def motion_invariant(setting: Setting, *, reflected_normal: int = -1) -> Evidenc
         "retraction and its oriented equator to the other, so J_p is the same; m_p counts the "
         "sectors on one side of the tangent plane, as many as on the other",
     )  # fmt: skip
-
-
-def graph_normal(setting: Setting, *, sign: int = 1) -> Evidence:
-    """Line 673: direction of pi(N), N upward, against the gradient, over a horizontal plane."""
-    plane = generic_plane()
-    w_1, w_2 = plane.slope_1, plane.slope_2
-    up: Vector = (sp.Integer(0), sp.Integer(0), sp.Integer(1))
-    part = printed.tangential_part(up, plane.upward_normal)
-    x, y = printed.graph_direction((w_1, w_2), sign=sign)
-    length = sp.sqrt(1 + w_1**2 + w_2**2)
-    found = identities(
-        setting,
-        {"x_perp - direction/sqrt(1 + |grad w|^2)": [part[0] - x / length, part[1] - y / length]},
-        shown="direction",
-    )
-    if found.outcome == "fail":
-        witness = (
-            "w = x_1^2/2 - x_2^2/2 at (1, 0): the upward normal is (-1, 0, 1)/sqrt(2), so pi(N) is "
-            f"(-1, 0), while grad w is (1, 0); {found.witness}"
-        )
-        return Evidence(outcome="fail", grade="exact", witness=witness)
-    return combined(
-        {"direction": found},
-        shown="for the upward normal pi(N) = -grad w/|grad w|; the tangent plane is x_3 = 0, "
-        "for the gradient vanishes at p",
-    )
-
-
-def graph_index(setting: Setting, *, conjugate: int = 1, radius: str = "1/10") -> Evidence:
-    """Line 676: degree of the gradient direction on a small circle against J_p by its definition.
-
-    conjugate: factor of the second derivative (-1 reverses the degree); radius: of the circle on
-    which the gradient is taken, J_p being taken on that of radius 1/10.
-    """
-    heights = {**_SADDLES, "Re z^2/8 + Re z^3": real_power(2) / 8 + real_power(3)}
-    wrong = []
-    size = sp.Rational(radius)
-    for name, height in heights.items():
-        graph = PolynomialGraph(height=height)
-        small = sp.Rational(1, 100)
-        by_definition = _ball_index(graph, radius=small)
-        first, second = graph.gradient
-        degree = winding_by_zeros((first, conjugate * second), 0, size * small * 10)
-        if degree != by_definition:
-            wrong.append(f"w = {name}: the gradient has degree {degree}, J_p is {by_definition}")
-    return _certified(
-        wrong,
-        tried=len(heights),
-        shown="for seven polynomial graphs J_p by its definition, in balls, is the degree of the "
-        "gradient, from its zeros; turning all vectors by pi changes no degree, so the sign "
-        "of the gradient is of no account here",
-    )
 
 
 def normal_lipschitz(setting: Setting, *, curvature: int = -1) -> Evidence:
@@ -407,36 +308,4 @@ def branch_index(
         },
         shown="|J_p| - 1 = m_p - 2 for all m_p > 2, and J_p = -1 for m_p = 2; verified on the "
         "stars of orders 2 to 8",
-    )
-
-
-def winding_jump(setting: Setting, *, first: int = 2, second: int = 3) -> Evidence:
-    """Line 698: degrees of the two saddles, and where a path between them loses its degree.
-
-    On the circle |z| = 1 the gradient of (1 - s) Re z^2 + s Re z^3 vanishes for s = 2/5 alone, at
-    z = -1: there, and nowhere else, the degree jumps.
-    """
-    s = sp.Symbol("s", positive=True)
-    wrong = []
-    counts = {
-        order: winding_by_zeros(PolynomialGraph(height=real_power(order)).gradient, 0, 1)
-        for order in (first, second)
-    }
-    if (abs(counts[first]), abs(counts[second])) != (1, 2):
-        wrong.append(f"winding numbers {list(counts.values())}")
-    path = (1 - s) * real_power(first) + s * real_power(second)
-    at = sp.Rational(first, first + second)
-    for value, expected in ((at / 2, counts[first]), ((1 + at) / 2, counts[second])):
-        graph = PolynomialGraph(height=sp.expand(path.subs(s, value)))
-        if (found := winding_by_zeros(graph.gradient, 0, 1)) != expected:
-            wrong.append(f"s = {value}: {found}")
-    middle = PolynomialGraph(height=sp.expand(path.subs(s, at)))
-    if any(entry.subs({X: -1, Y: 0}) != 0 for entry in middle.gradient):
-        wrong.append(f"s = {at}: the gradient does not vanish at -1")
-    return _certified(
-        wrong,
-        tried=5,
-        shown="the gradient of the saddle winds -1 times, that of the monkey saddle -2 times; on "
-        "the straight path between them the number changes only where the gradient vanishes on "
-        "the circle, so along no path of nowhere vanishing gradients",
     )

@@ -252,8 +252,8 @@ def sheets_of_order_two(setting: Setting, *, only: int = 2, shift: int = -1) -> 
         bool(counts) and not wrong,
         shown=f"on {len(counts)} stars of order 2, thin and kinked ones among them, every "
         "direction tried has one preimage under the tangent map, the cones onto which it sends the "
-        "sectors fill one turn, so it is one-to-one with a Lipschitz inverse; N differs from it by a map "
-        "whose Lipschitz constant tends to 0 at p",
+        "sectors fill one turn, so it is one-to-one with a Lipschitz inverse; N differs from it by "
+        "a map whose Lipschitz constant tends to 0 at p",
         witness="; ".join(wrong),
     )
 
