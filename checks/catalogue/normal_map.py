@@ -393,10 +393,10 @@ _COVERING = (
         checks=(
             Check(
                 name="Lipschitz, with an inverse",
-                run="checks.verify.normal_index:normal_lipschitz",
+                run="checks.verify.normal_separation:normal_defined",
                 routes=(
-                    "principal curvatures k and -1/k",
-                    "bounds of |dN|",
+                    "stretch of N by the principal curvatures",
+                    "bound of |N - N(p)| on sectors",
                 ),
                 mutants=(Mutant(name="curvature 0", given={"curvature": 0}),),
             ),

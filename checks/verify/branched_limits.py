@@ -8,13 +8,14 @@ from flint import arb, fmpq
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
 from checks.positivity import positivity
-from checks.printed import normal_map
 from checks.printed import topological_theorem as printed
 from checks.verify.front_index import front_indices
+from checks.verify.normal_index import star_index
 from checks.verify.normal_separation import collar_claims
 from theory import normal_bounds, star_normal, star_saddle
+from theory.polynomial_graph import PolynomialGraph, real_power
 from theory.vectors import Vector, added, cross, derivative, scaled
-from theory.winding import winding_by_arcs
+from theory.winding import winding_by_arcs, winding_by_zeros
 
 
 def common_radius(setting: Setting, *, growth: int = 0, divisor: int = 6) -> Evidence:
@@ -221,6 +222,15 @@ def degree_stable(setting: Setting, *, percent: int = 99) -> Evidence:
     )
 
 
+def _smooth_indices(*, isometric: bool) -> set[int]:
+    """J_p of smooth saddles of determinant -1, or of the graphs of Re z^2, Re z^3 and Re z^4."""
+    if isometric:
+        shares = (sp.pi / 3, sp.pi / 2, sp.pi / 50)
+        return {int(star_saddle.winding_number((a, sp.pi - a) * 2)) for a in shares}
+    graphs = [PolynomialGraph(height=real_power(m)) for m in (2, 3, 4)]
+    return {winding_by_zeros(graph.gradient, 0, 1) for graph in graphs}
+
+
 def branched_limit(
     setting: Setting, *, order: int = 2, isometric: bool = True, share: str = "7/8"
 ) -> Evidence:
@@ -235,12 +245,8 @@ def branched_limit(
     slope = normal_bounds.cone_slope(k)
     rho = sp.Rational(share) * slope * normal_bounds.largest_radius(slope) * x / (1 + x)
     gap = normal_bounds.cone_volume(rho / 2, 2 * k)
-    smooth = {-1} if isometric else {int(normal_map.index(m)) for m in (2, 3, 4)}
-    orders = [
-        m
-        for m in range(2, 13)
-        if int(star_saddle.winding_number(star_saddle.regular_star(m))) in smooth
-    ]
+    smooth = _smooth_indices(isometric=isometric)
+    orders = [m for m in range(2, 13) if star_index(m) in smooth]
     expected = [printed.limit_order(order=order)]
     return combined(
         {

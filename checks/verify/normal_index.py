@@ -248,41 +248,6 @@ def motion_invariant(setting: Setting, *, reflected_normal: int = -1) -> Evidenc
     )  # fmt: skip
 
 
-def normal_lipschitz(setting: Setting, *, curvature: int = -1) -> Evidence:
-    """Line 686: what makes J_p defined is that dN is invertible with a bounded inverse.
-
-    The normal map stretches by the principal curvatures k and curvature/k; a curvature of 0 leaves
-    a direction in which N does not change, as on a cylinder, where J_p is not defined.
-    """
-    k = sp.Symbol("k", positive=True)
-    t = sp.Symbol("t", real=True)
-    other = sp.Integer(curvature) / k
-    stretch = k**2 * sp.cos(t) ** 2 + other**2 * sp.sin(t) ** 2
-    defined = not _meets_pole(
-        PolynomialGraph(height=X**2 + sp.Integer(curvature) * Y**2 if curvature else X**2)
-    )
-    return combined(
-        {
-            "stretch": identities(
-                setting,
-                {
-                    "k^2 - stretch, times k^2 / (k^4 - K^2), is sin^2": (k**2 - stretch)
-                    - sp.sin(t) ** 2 * (k**4 - curvature**2) / k**2
-                },
-                shown="N is Lipschitz with the larger curvature as constant",
-            ),
-            "defined": statement(
-                defined and curvature != 0,
-                shown="N(x) is not N(p) near p",
-                witness="on the cylinder over a curve, of class C^{1,1} with a Lipschitz normal, "
-                "N(x) = N(p) along the ruling through p: J_p is not defined",
-            ),
-        },
-        shown="|dN|^2 lies between the squares of the principal curvatures k and -1/k: N is "
-        "Lipschitz with a bounded inverse of its derivative",
-    )
-
-
 def branch_index(
     setting: Setting, *, threshold: int = 1, absolute: bool = True, least: int = 2
 ) -> Evidence:

@@ -306,3 +306,35 @@ def punctured_ball(setting: Setting, *, reach: str = "7/5", mixed: int = 1) -> E
 def collar_distance(setting: Setting, *, share: str = "7/8", mixed: int = 1) -> Evidence:
     """Item 2 of (lem:injective); see separation."""
     return separation(setting, part="collar", share=share, mixed=mixed)
+
+
+def normal_defined(setting: Setting, *, curvature: int = -1) -> Evidence:
+    """Line 686: N is Lipschitz, and N(x) is not N(p) near p, so that J_p is defined.
+
+    The principal curvatures are k >= 1 and curvature/k. Of the curvature 0 the cylinder over
+    y = x^2/2 is taken, on which N is constant along the ruling through p.
+    """
+    excess = sp.Symbol("e", positive=True)
+    t = sp.Symbol("t", real=True)
+    k = 1 + excess
+    stretch = k**2 * sp.cos(t) ** 2 + curvature**2 / k**2 * sp.sin(t) ** 2
+    lipschitz = identities(
+        setting,
+        {"k^2 - |dN|^2": k**2 - stretch - sp.sin(t) ** 2 * (k**4 - curvature**2) / k**2},
+        shown="k^2 - |dN e|^2 = sin^2 t (k^4 - K^2)/k^2",
+    )
+    if curvature == -1:
+        isolated = separation(setting, part="punctured")
+    else:
+        ruling = [entry.subs(X, 0) for entry in PolynomialGraph(height=X**2 / 2).gradient]
+        isolated = statement(
+            any(entry != 0 for entry in ruling),
+            shown="ruling",
+            witness="w = x_1^2/2 has the gradient (x_1, 0): N(0, x_2) = N(0, 0) for all x_2, so "
+            "pi(N) and J_p are not defined, though N is smooth",
+        )
+    return combined(
+        {"Lipschitz": lipschitz, "isolated": isolated},
+        shown="|dN| <= k, the bound of the curvature: N is Lipschitz; and N(x) is not N(p) for "
+        "0 < t < 7/5 s on the sectors of a saddle, so J_p is defined",
+    )
