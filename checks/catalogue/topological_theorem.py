@@ -1,6 +1,6 @@
 """Claims of section 3.3, branch points cannot be smoothed away: the theorem and its lemma."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
 
 _BRANCHED = (
     (
@@ -19,6 +19,13 @@ _SEQUENCE = (
     ),
     r"(used, not stated) $y$ is a branched pseudospherical immersion",
 )
+_NOT_NEEDED = (
+    (
+        r"(stated, not needed) the bound $k_{\max}$: on almost every circle around $p$ a "
+        r"subsequence of $N_n$ converges uniformly, and a local homeomorphism of a disk has the "
+        r"degree 0 or $\pm 1$ on a circle whose image stays in a disk that $N_n(\partial B)$ avoids"
+    ),
+)
 _BALL = (r"$B_{3\epsilon}(p) \subseteq \Omega$, $0 < \epsilon < \min(\eta(k_{\max}), \delta(p))$",)
 
 _INJECTIVE = (
@@ -32,6 +39,34 @@ _INJECTIVE = (
         labels=("lem:injective",),
         hypotheses=(*_BRANCHED, r"(used, not stated) $B_{3\delta}(p) \subset \Omega$"),
         rests_on=("3.3.punctured-ball", "3.3.collar-distance"),
+        checks=(
+            Check(
+                name="bound of |N - N(p)|",
+                run="checks.verify.normal_separation:separation",
+                routes=(
+                    "Gauss-Weingarten equations and a cone of directions",
+                    "positivity of t s - t^2/2 - t^3/8",
+                ),
+                mutants=(
+                    Mutant(name="up to t = 3 s", given={"reach": "3"}),
+                    Mutant(name="d_0 = s delta", given={"share": "1"}),
+                    Mutant(name="|N_uv| = cos^2 phi", given={"mixed": 2}),
+                ),
+            ),
+            Check(
+                name="search for a returning normal",
+                run="checks.verify.branch_searches:star_normals_search",
+                form="support",
+                routes=(
+                    "half-turn rule on a grid, maximised",
+                    "Picard iteration of the Moutard equation",
+                ),
+                mutants=(
+                    Mutant(name="excess below 5 %", given={"bound_percent": 5}),
+                    Mutant(name="the cone 1 % wider", given={"cone_percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.punctured-ball",
@@ -41,6 +76,20 @@ _INJECTIVE = (
         statement=r"$N(x) \ne N(p)$ for every $x \in B_{2\delta}(p) \setminus \{p\}$.",
         hypotheses=_BRANCHED,
         rests_on=("3.3.smooth-punctured-ball", "3.3.sector-extension", "3.3.minimal-radius"),
+        checks=(
+            Check(
+                name="no return near p",
+                run="checks.verify.normal_separation:punctured_ball",
+                routes=(
+                    "Gauss-Weingarten equations and a cone of directions",
+                    "positivity of t s - t^2/2 - t^3/8",
+                ),
+                mutants=(
+                    Mutant(name="up to t = 3 s", given={"reach": "3"}),
+                    Mutant(name="|N_uv| = cos^2 phi", given={"mixed": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.collar-distance",
@@ -51,6 +100,20 @@ _INJECTIVE = (
         r"\overline{B_\delta(p)}$.",
         hypotheses=_BRANCHED,
         rests_on=("3.3.punctured-ball", "3.3.collar-compact"),
+        checks=(
+            Check(
+                name="distance on the collar",
+                run="checks.verify.normal_separation:collar_distance",
+                routes=(
+                    "Gauss-Weingarten equations and a cone of directions",
+                    "positivity of t s - t^2/2 - t^3/8",
+                ),
+                mutants=(
+                    Mutant(name="d_0 = s delta", given={"share": "1"}),
+                    Mutant(name="|N_uv| = cos^2 phi", given={"mixed": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.weaker-hypotheses",
@@ -60,6 +123,17 @@ _INJECTIVE = (
         statement=r"(lem:injective) asks less than (lem:maximal): globally $C^{1,1}$ and piecewise "
         r"$C^2$ immersions, no bound on the curvature; and it concludes less.",
         rests_on=("lem:injective", "lem:maximal", "def:branched_immersion"),
+        checks=(
+            Check(
+                name="the monkey saddle",
+                run="checks.verify.normal_separation:weaker_hypotheses",
+                routes=(
+                    "Hessians of the quadratic saddle",
+                    "preimages under the tangent map of N",
+                ),
+                mutants=(Mutant(name="a smooth saddle", given={"order": 2}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.smooth-punctured-ball",
@@ -70,6 +144,20 @@ _INJECTIVE = (
         r"and $N(x) \ne N(p)$ on $B_{3\delta}(p) \setminus \{p\}$ for some $\delta > 0$.",
         hypotheses=(r"$y$ a $C^2$ pseudospherical immersion",),
         rests_on=("3.3.normal-cross-product",),
+        checks=(
+            Check(
+                name="Jacobian of the normal",
+                run="checks.verify.normal_separation:smooth_jacobian",
+                routes=(
+                    "derivatives of N from the fundamental forms (Weingarten)",
+                    "r_u x r_v and sin phi",
+                ),
+                mutants=(
+                    Mutant(name="Jacobian +1", given={"jacobian": 1}),
+                    Mutant(name="Jacobian 0", given={"jacobian": 0}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.collar-compact",
@@ -83,6 +171,17 @@ _INJECTIVE = (
             r"(used, not stated) $\overline{B_{2\delta}(p)} \subset \Omega$",
         ),
         rests_on=("3.3.smooth-punctured-ball",),
+        checks=(
+            Check(
+                name="least distance",
+                run="checks.verify.normal_separation:collar_minimum",
+                routes=(
+                    "|N - N(p)| of graphs as a function of r",
+                    "its value at the inner radius",
+                ),
+                mutants=(Mutant(name="the punctured ball, not compact", given={"inner": "0"}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.not-injective-at-branch-point",
@@ -92,6 +191,20 @@ _INJECTIVE = (
         statement=r"The normal map is not one-to-one on any neighbourhood of a branch point.",
         hypotheses=(*_BRANCHED, r"$m_p > 2$"),
         rests_on=("def:Jp", "lem:covering-number"),
+        checks=(
+            Check(
+                name="two preimages",
+                run="checks.verify.normal_turning:several_sheets",
+                routes=(
+                    "preimages under the tangent map of N, with exact signs",
+                    "m_p - 1",
+                ),
+                mutants=(
+                    Mutant(name="a regular point", given={"only": 2}),
+                    Mutant(name="m_p preimages", given={"shift": 0}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.sector-extension",
@@ -109,6 +222,20 @@ _INJECTIVE = (
             ),
         ),
         rests_on=("prop:assembly", "eq:frames"),
+        checks=(
+            Check(
+                name="extension of a sector",
+                run="checks.verify.normal_separation:sector_extension",
+                routes=(
+                    "Goursat series from two curves",
+                    "stars of angles alpha, pi - alpha, alpha, pi - alpha",
+                ),
+                mutants=(
+                    Mutant(name="the curve continued at an angle", given={"bend": "1/9"}),
+                    Mutant(name="torsion -1 of the v-curve", given={"torsion": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.minimal-radius",
@@ -127,6 +254,20 @@ _INJECTIVE = (
             ),
         ),
         rests_on=("3.3.sector-extension", "3.3.smooth-punctured-ball"),
+        checks=(
+            Check(
+                name="least radius",
+                run="checks.verify.normal_separation:minimal_radius",
+                routes=(
+                    "least of the radii of all sectors",
+                    "period of the normal along rays of constant curvature",
+                ),
+                mutants=(
+                    Mutant(name="largest radius", given={"rule": "max"}),
+                    Mutant(name="2m - 1 sectors", given={"offset": -1}),
+                ),
+            ),
+        ),
     ),
 )
 
@@ -140,7 +281,7 @@ _THEOREM = (
         r"$W^{2,2}_{\mathrm{loc}}$ and 2. $\mathcal{E}_\infty[y_n] \le k_{\max}$ for all $n$, then "
         r"$m_p[y] = 2$ at every $p \in \Omega$.",
         labels=("thm:branched",),
-        hypotheses=_SEQUENCE,
+        hypotheses=(*_SEQUENCE, *_NOT_NEEDED),
         rests_on=(
             "3.3.common-radius",
             "3.3.common-distance",
@@ -148,6 +289,34 @@ _THEOREM = (
             "3.3.normals-converge",
             "3.3.degree-stable",
             "lem:covering-number",
+        ),
+        checks=(
+            Check(
+                name="order of the limit",
+                run="checks.verify.branched_limits:branched_limit",
+                routes=(
+                    "degrees of stars and of smooth saddles",
+                    "distance of the normals in L^1 by a bound on the collar",
+                ),
+                mutants=(
+                    Mutant(name="m_p = 3", given={"order": 3}),
+                    Mutant(name="smooth graphs that are not isometric", given={"isometric": False}),
+                    Mutant(name="the bound on the collar 1 % above s", given={"share": "101/100"}),
+                ),
+            ),
+            Check(
+                name="search for a smooth saddle near the monkey saddle",
+                run="checks.verify.branch_searches:smooth_near_star_search",
+                form="support",
+                routes=(
+                    "cells of a Chebyshev net, minimised",
+                    "inversion of the net on polar grids",
+                ),
+                mutants=(
+                    Mutant(name="a kinked star of order 2", given={"target": "kinked"}),
+                    Mutant(name="1 % farther", given={"bound_percent": 116}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -159,6 +328,17 @@ _THEOREM = (
         r"and $\epsilon < \min(\eta(k_{\max}), \delta(p))$, the same for $y$ and all $y_n$.",
         hypotheses=_SEQUENCE,
         rests_on=("lem:maximal", "lem:injective"),
+        checks=(
+            Check(
+                name="one radius for all n",
+                run="checks.verify.branched_limits:common_radius",
+                routes=(
+                    "eta as a function of the bound",
+                    "limit for n to infinity",
+                ),
+                mutants=(Mutant(name="curvatures that grow", given={"growth": 1}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.common-distance",
@@ -171,11 +351,25 @@ _THEOREM = (
             *_SEQUENCE,
             *_BALL,
             (
-                r"(used, not stated) $d_0$ belongs to the radius $\epsilon$, not to $\delta(p) > "
-                r"\epsilon$"
+                r"(used, not stated) $c(k_{\max})$ serves $y$ too, sector by sector: $d_0$ alone, "
+                r"which belongs to $\delta(p) > \epsilon$, is no bound on the collar of $\epsilon$"
             ),
         ),
         rests_on=("lem:injective", "3.3.common-radius"),
+        checks=(
+            Check(
+                name="bound for the limit",
+                run="checks.verify.branched_limits:common_distance",
+                routes=(
+                    "a cone of directions on each sector",
+                    "positivity of the bound on the collar",
+                ),
+                mutants=(
+                    Mutant(name="c = 1/sqrt(1 + k^2)", given={"share": "1"}),
+                    Mutant(name="d_0 of a larger radius alone", given={"rule": "d_0"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.common-distance-sequence",
@@ -186,6 +380,20 @@ _THEOREM = (
         r"\setminus B_\epsilon(p)$ and all $n$.",
         hypotheses=(*_SEQUENCE, *_BALL),
         rests_on=("lem:maximal", "3.3.common-radius"),
+        checks=(
+            Check(
+                name="bound for all n",
+                run="checks.verify.branched_limits:common_distance",
+                routes=(
+                    "a cone of directions on each sector",
+                    "positivity of the bound on the collar",
+                ),
+                mutants=(
+                    Mutant(name="c = 1/sqrt(1 + k^2)", given={"share": "1"}),
+                    Mutant(name="c 1 % above", given={"share": "101/100"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.winding-on-common-circle",
@@ -196,6 +404,24 @@ _THEOREM = (
         r"of $N$ at $p$.",
         hypotheses=(*_SEQUENCE, *_BALL),
         rests_on=("3.3.common-distance", "3.3.common-distance-sequence", "3.3.index-well-defined"),
+        checks=(
+            Check(
+                name="circles of several radii",
+                run="checks.verify.branched_limits:common_circle",
+                routes=(
+                    "bound of |N - N(p)|",
+                    "degrees along circles, in balls",
+                ),
+                mutants=(
+                    Mutant(name="a circle across the edges", given={"largest": "3"}),
+                    Mutant(
+                        name="a circle across an edge of one front",
+                        given={"largest": "3/2"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.smooth-index",
@@ -206,6 +432,20 @@ _THEOREM = (
         "immersion $y_n$.",
         hypotheses=_SEQUENCE,
         rests_on=("3.3.smooth-punctured-ball", "3.3.normal-cross-product", "def:Jp"),
+        checks=(
+            Check(
+                name="index of smooth immersions",
+                run="checks.verify.branched_limits:smooth_index",
+                routes=(
+                    "degrees along circles on fronts, in balls",
+                    "stars of C^2 saddles",
+                ),
+                mutants=(
+                    Mutant(name="J_p = -2", given={"index": -2}, near=True),
+                    Mutant(name="J_p = 1", given={"index": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.normals-converge",
@@ -222,6 +462,17 @@ _THEOREM = (
             ),
         ),
         rests_on=("thmegrg",),
+        checks=(
+            Check(
+                name="difference of the normals",
+                run="checks.verify.branched_limits:normals_converge",
+                routes=(
+                    "quotient of cross products",
+                    "products of differences and bounded factors",
+                ),
+                mutants=(Mutant(name="different metrics", given={"same_metric": False}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.bmo-convergence",
@@ -231,6 +482,17 @@ _THEOREM = (
         statement=r"In two dimensions convergence in $W^{1,2}(\overline{B_{2\epsilon}(p)})$ "
         r"implies convergence in BMO and in $L^1$.",
         rests_on=("3.3.normals-converge",),
+        checks=(
+            Check(
+                name="mean oscillation",
+                run="checks.verify.branched_limits:oscillation",
+                routes=(
+                    "mean square of a mode on a cube of any side",
+                    "its Dirichlet integral",
+                ),
+                mutants=(Mutant(name="dimension 3", given={"dimension": 3}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.degree-stable",
@@ -241,6 +503,20 @@ _THEOREM = (
         r"$J_p = \lim J^{(n)}_p = -1$.",
         hypotheses=(*_SEQUENCE, *_BALL),
         rests_on=("3.3.bmo-convergence", "3.3.common-distance-sequence", "3.3.smooth-index"),
+        checks=(
+            Check(
+                name="near loops",
+                run="checks.verify.branched_limits:degree_stable",
+                routes=(
+                    "degree of the disturbed loop, arc by arc in balls",
+                    "degree of the loop itself",
+                ),
+                mutants=(
+                    Mutant(name="differences 1 % too large", given={"percent": 101}, near=True),
+                    Mutant(name="differences half as large again", given={"percent": 150}),
+                ),
+            ),
+        ),
     ),
 )
 
