@@ -37,8 +37,18 @@ def arcs(polygon: Polygon) -> list[tuple[Point, Point]]:
 
 
 def family(arc: tuple[Point, Point]) -> str:
-    """Letter of the coordinate that runs along the arc."""
-    return "u" if arc[0][1] == arc[1][1] else "v"
+    """Letter of the coordinate that runs along the arc, "other" where both do."""
+    (a, b), (c, d) = arc
+    return "other" if a != c and b != d else "u" if b == d else "v"
+
+
+def is_simple(polygon: Polygon) -> bool:
+    """Whether a closed polygon of u- and v-arcs passes each point of the grid once at most."""
+    passed: list[Point] = []
+    for (a, b), (c, d) in arcs(polygon):
+        steps = max(abs(c - a), abs(d - b))
+        passed += [(a + (c - a) * k // steps, b + (d - b) * k // steps) for k in range(steps)]
+    return len(set(passed)) == len(passed)
 
 
 def oriented(polygon: Polygon, *, sigma: int) -> Polygon:

@@ -6,7 +6,7 @@ smaller blocks, which makes its corner a branch point, and so on.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 from random import Random
@@ -91,20 +91,21 @@ class Tiling:
             passed.append(here)
         return passed
 
-    def trimmed(self, rng: Random, times: int, *, spare_branch_points: bool = True) -> "Tiling":
-        """Take away random faces at the rim, one by one, so that a disk is left."""
+    def trimmed(self, rng: Random, times: int, *, spare: Set[Vertex] = frozenset()) -> "Tiling":
+        """Take away random faces at the rim, one by one, so that a disk is left.
+
+        spare: interior vertices that are to stay in the interior.
+        """
         tiling = self
         for _ in range(times):
-            loose = [
-                face for face in tiling.faces if tiling._removable(face, spare_branch_points)
-            ]
+            loose = [face for face in tiling.faces if tiling._removable(face, spare)]
             if not loose or len(tiling.faces) < 4:
                 break
             gone = rng.choice(loose)
             tiling = Tiling(faces=tuple(face for face in tiling.faces if face != gone))
         return tiling
 
-    def _removable(self, face: Face, spare_branch_points: bool) -> bool:
+    def _removable(self, face: Face, spare: Set[Vertex]) -> bool:
         """Whether a disk is left without the face: it meets the rim in one path of sides."""
         on_rim = [self.rim.get(face[k]) == face[(k + 1) % 4] for k in range(4)]
         starts = sum(on_rim[k] and not on_rim[k - 1] for k in range(4))
@@ -113,7 +114,7 @@ class Tiling:
         others = set(face) - touched
         if starts != 1 or any(vertex in self.rim for vertex in others):
             return False
-        return not (spare_branch_points and others & set(self.branch_points))
+        return not others & spare
 
     def refined(self) -> "Tiling":
         """Each face in four."""
@@ -184,7 +185,7 @@ def _block(
                 faces.append(_turned(face, family))
     if cut:
         rays = [[at(i, q) for i in range(p, width + 1)]]
-        for ray in range(rng.choice((2, 2, 4, 6))):
+        for ray in range(rng.choice((2, 2, 4, 6, 8))):
             count = rng.randint(1, longest)
             rays.append([at(p, q), *(((*name, "ray", ray), i) for i in range(1, count + 1))])
         rays.append([at(p, j) for j in range(q, height + 1)])

@@ -1,8 +1,8 @@
 r"""The angle of a branched surface on an m-star, for every surface there is.
 
-Rays 0, ..., 2m - 1 leave the branch point p counter-clockwise, those of even number u-curves; sector
-j lies between the rays j and j + 1, its coordinates (s, t) the lengths along them. With sigma_j =
-(-1)^j the sine-Gordon equation phi_st = sigma_j sin phi integrates to
+Rays 0, ..., 2m - 1 leave the branch point p counter-clockwise, those of even number u-curves;
+sector j lies between the rays j and j + 1, its coordinates (s, t) the lengths along them. With
+sigma_j = (-1)^j the sine-Gordon equation phi_st = sigma_j sin phi integrates to
 
     phi(s, t) = phi_j + H_j(s) + H_(j+1)(t) + sigma_j W_j(s, t),
 

@@ -1,4 +1,4 @@
-r"""What every surface over a tiling satisfies, as linear relations between its angles, in exact ranks.
+"""Linear relations between the angles of all surfaces over a tiling, and what follows from them.
 
 The unknowns are the limits of phi at the corners of each face from within it, and pi. With + at a
 corner where the boundary of its face goes on along a u-arc and - where it goes on along a v-arc:
@@ -45,13 +45,11 @@ def scaled(factor: int, relation: Relation) -> dict[Any, int]:
 class TilingAngles:
     """Linear relations of the surfaces over a tiling.
 
-    matched: whether the two faces at a side agree on its geodesic curvature; turns: the angles at
-    an interior point add up to 2 pi turns.
+    matched: whether the two faces at a side agree on its geodesic curvature.
     """
 
     tiling: Tiling
     matched: bool = True
-    turns: int = 1
 
     @cached_property
     def corners(self) -> dict[Vertex, list[tuple[int, int]]]:
@@ -133,7 +131,7 @@ class TilingAngles:
         for vertex in self.tiling.inner:
             order = self.tiling.degrees[vertex] // 2
             if branched or order == 2:
-                yield added(self.fan_sum(vertex), {PI: order - 2 * self.turns})
+                yield added(self.fan_sum(vertex), {PI: order - 2})
 
     def continuity_relations(self) -> Iterable[dict[Any, int]]:
         """Equal limits of phi at the boundary vertices off the branch rays."""
@@ -153,6 +151,10 @@ class TilingAngles:
         """Whether the relation follows: it does not raise the rank of the others."""
         rows = self.relations(branched=branched)
         return self._rank([*rows, relation]) == self._rank(rows)
+
+    def is_consistent(self) -> bool:
+        """Whether the relations leave pi alone: contradictory ones would imply anything."""
+        return not self.implies({PI: 1})
 
     def _rank(self, rows: list[Any]) -> int:
         unknowns = [corner for corners in self.corners.values() for corner in corners]

@@ -1,6 +1,9 @@
 """Claims of section 3.5, the sine-Gordon equation with branch points."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_V = "checks.verify.branched_sine_gordon:"
+_BALANCE = "checks.verify.balanced_curvature:"
 
 _THEOREM: tuple[Claim, ...] = (
     Claim(
@@ -26,11 +29,6 @@ _THEOREM: tuple[Claim, ...] = (
                 r"q_{2j-1}$"
             ),
             r"$q_0$ is the initial vertex of a $u$-arc with respect to the orientation $\omega$",
-            r"(used, not stated) no branch point lies on $\gamma$",
-            (
-                r"(used, not stated) no vertex $q_n$ lies on an asymptotic curve incident on a "
-                r"branch point, or $\varphi(q_n)$ is the limit from within $\Gamma$"
-            ),
         ),
         rests_on=(
             "eq:hazzidakis",
@@ -39,6 +37,74 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.additivity",
             "3.5.angle-in-the-theorem",
             "def:branched_immersion",
+        ),
+        checks=(
+            Check(
+                name="all Hamburger polygons",
+                run=_V + "theorem",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),),
+            ),
+            Check(
+                name="no branch point on the polygon, no corner on their curves",
+                run=_V + "theorem",
+                form="corrected",
+                given={"on_boundary": False, "only_off_rays": True},
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="branch points on the polygon", given={"on_boundary": True}),
+                    Mutant(name="corners on the curves", given={"only_off_rays": False}),
+                ),
+            ),
+            Check(
+                name="limit from the middle quadrant",
+                run=_V + "limits_on_rays",
+                form="support",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="limit from the first quadrant", given={"choice": "first"}),
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"(sg-global) for every domain with compact closure whose boundary is a Hamburger "
+                "polygon"
+            ),
+            corrected=(
+                r"no branch point lies on the boundary, and no vertex with three quadrants inside "
+                r"$\Gamma$ on an asymptotic curve that leaves a branch point in $\Gamma$; else "
+                r"$\varphi(q_n)$ is the limit from the middle one of the three quadrants"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"four of the six sectors of a small star with $m = 3$, equal angles: the branch "
+                r"point is on the boundary, between two $u$-arcs, and the six vertices give "
+                r"$-\frac\pi3 + \frac\pi3 - \frac{2\pi}3 + \frac\pi3 - \frac{2\pi}3 + \frac{2\pi}3 "
+                r"= -\frac\pi3$, neither $0$ nor $-\pi$. With an inner vertex on a curve from the "
+                r"branch point $\varphi$ has two limits there, $\frac\pi3$ and $\frac{2\pi}3$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "the hypotheses are generic: a small change of the polygon restores them; vertices "
+                "with one quadrant inside may lie anywhere"
+            ),
         ),
     ),
     Claim(
@@ -57,11 +123,28 @@ _THEOREM: tuple[Claim, ...] = (
                 r"by $\omega$, starting at the initial vertex of a $u$-arc"
             ),
             (
-                r"(used, not stated) no branch point lies on $\gamma$, and $\varphi$ is defined at "
-                r"each $q_n$"
+                r"(used, not stated) no branch point lies on $\gamma$, and none of the $q_n$ with "
+                r"three quadrants in $\Gamma$ lies on a curve from a branch point in $\Gamma$"
             ),
         ),
         rests_on=("thm:sg-branched",),
+        checks=(
+            Check(
+                name="random tilings",
+                run=_V + "sum_rule",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="area times 1.01", given={"area_percent": 101}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.angle-in-the-theorem",
@@ -76,6 +159,17 @@ _THEOREM: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) $\|\partial_u r\| = \|\partial_v r\| = 1$",),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="one angle",
+                run=_V + "one_angle",
+                routes=(
+                    "Gauss-Weingarten and explicit surfaces",
+                    "the printed conditions",
+                ),
+                mutants=(Mutant(name="no sigma in the cosine", given={"cosine_power": 0}),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.decomposition",
@@ -96,6 +190,21 @@ _THEOREM: tuple[Claim, ...] = (
             "def:m-star",
             "3.5.stars-are-hamburger-polygons",
         ),
+        checks=(
+            Check(
+                name="random tilings",
+                run=_V + "decomposition",
+                tier="full",
+                routes=(
+                    "stars round the branch points",
+                    "single rectangles",
+                ),
+                mutants=(
+                    Mutant(name="no refinement", given={"refine": False}),
+                    Mutant(name="stars of m rectangles", given={"per_order": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.additivity",
@@ -108,6 +217,7 @@ _THEOREM: tuple[Claim, ...] = (
             r"A(\Gamma_j)$."
         ),
         hypotheses=(
+            "(a misprint) $M$ is $N$, the number of pieces",
             (
                 r"(used, not stated) $\oint\alpha$ along an edge common to two pieces takes the "
                 r"same value from both sides, also across a jump of $\varphi$"
@@ -121,6 +231,21 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.decomposition",
             "3.5.vertex-signs",
             "3.5.angle-derivatives-match",
+        ),
+        checks=(
+            Check(
+                name="random tilings",
+                run=_V + "additivity",
+                tier="full",
+                routes=(
+                    "sums over the pieces",
+                    "sum over the boundary",
+                ),
+                mutants=(
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="one piece left out", given={"left_out": 1}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -142,6 +267,20 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.one-branch-point-per-area-pi",
         ),
         waits_for=("5",),
+        checks=(
+            Check(
+                name="bound by the angle",
+                run=_BALANCE + "near_cancellation",
+                routes=(
+                    "signs at the vertices of random tilings",
+                    "sine-Gordon equation",
+                ),
+                mutants=(
+                    Mutant(name="half of delta a vertex", given={"per_vertex": 50}),
+                    Mutant(name="0.99 delta a vertex", given={"per_vertex": 99}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.principal-curvatures",
@@ -155,12 +294,26 @@ _THEOREM: tuple[Claim, ...] = (
         hypotheses=(
             r"$0 < \varphi < \pi$, for both signs of $\sigma$",
             (
-                r"(used, not stated) the sign convention of the second fundamental form with "
-                r"respect to $N^\omega$: the other one gives $\cot\frac\varphi2$ and "
-                r"$-\tan\frac\varphi2$"
+                r"(used, not stated) they are the eigenvalues of $dN^\omega$, as $h = "
+                r"dN^\omega \cdot dr$ suggests; those of $-dN^\omega$ are $-\tan\frac\varphi2$ and "
+                r"$\cot\frac\varphi2$, for both signs of $\sigma$"
             ),
         ),
         rests_on=("eq:metrics",),
+        checks=(
+            Check(
+                name="shape operator",
+                run=_BALANCE + "principal_curvatures",
+                routes=(
+                    "fundamental forms of nets and explicit surfaces",
+                    "the printed formulas",
+                ),
+                mutants=(
+                    Mutant(name="both positive", given={"second": 1}),
+                    Mutant(name="-dN for dN", given={"shape": "-dN"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.curvature-product",
@@ -170,6 +323,20 @@ _THEOREM: tuple[Claim, ...] = (
         statement=r"$\kappa_1\kappa_2 = -1$.",
         hypotheses=(r"$0 < \varphi < \pi$",),
         rests_on=("3.5.principal-curvatures",),
+        checks=(
+            Check(
+                name="product",
+                run=_BALANCE + "curvature_product",
+                routes=(
+                    "the printed formulas",
+                    "-1",
+                ),
+                mutants=(
+                    Mutant(name="both positive", given={"second": 1}),
+                    Mutant(name="cot phi", given={"halves": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.willmore-density",
@@ -181,6 +348,17 @@ _THEOREM: tuple[Claim, ...] = (
             r"\cot^2\frac\varphi2$."
         ),
         rests_on=("3.5.principal-curvatures",),
+        checks=(
+            Check(
+                name="instance and near-miss",
+                run=_BALANCE + "willmore_density",
+                routes=(
+                    "4 H^2 - 2 K from the forms",
+                    "the printed density",
+                ),
+                mutants=(Mutant(name="sum of the curvatures", given={"power": 1}),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.max-curvature-energy",
@@ -193,6 +371,17 @@ _THEOREM: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) the supremum is essential: $r$ is $C^{1,1}$ only",),
         rests_on=("3.5.principal-curvatures",),
+        checks=(
+            Check(
+                name="instance and near-miss",
+                run=_BALANCE + "largest_curvature",
+                routes=(
+                    "the larger of tan and cot",
+                    "the printed maximum",
+                ),
+                mutants=(Mutant(name="no absolute values", given={"absolute": False}),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.right-angle-optimal",
@@ -209,6 +398,20 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.willmore-density",
             "3.5.max-curvature-energy",
         ),
+        checks=(
+            Check(
+                name="both energies",
+                run=_BALANCE + "right_angle_optimal",
+                routes=(
+                    "differences of the energies",
+                    "their sign",
+                ),
+                mutants=(
+                    Mutant(name="tan(phi/2) = 2", given={"best": 2}),
+                    Mutant(name="sum of the curvatures", given={"power": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.right-angle-sum-vanishes",
@@ -223,6 +426,17 @@ _THEOREM: tuple[Claim, ...] = (
         rests_on=(
             "sg-global",
             "3.5.hamburger-polygon",
+        ),
+        checks=(
+            Check(
+                name="signs",
+                run=_BALANCE + "right_angle_sum",
+                routes=(
+                    "polygons of a grid",
+                    "boundaries of random tilings",
+                ),
+                mutants=(Mutant(name="one more vertex", given={"extra": 1}, near=True),),
+            ),
         ),
     ),
     Claim(
@@ -242,6 +456,20 @@ _THEOREM: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("sg-global",),
+        checks=(
+            Check(
+                name="stars of order 3",
+                run=_BALANCE + "two_quantities",
+                routes=(
+                    "certified PIII at the corners",
+                    "multiples of pi",
+                ),
+                mutants=(
+                    Mutant(name="order 2", given={"order": 2}, near=True),
+                    Mutant(name="1.01 pi", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.right-angle-impossible",
@@ -255,6 +483,17 @@ _THEOREM: tuple[Claim, ...] = (
         rests_on=(
             "3.5.right-angle-sum-vanishes",
             "3.5.right-side-of-two-signs",
+        ),
+        checks=(
+            Check(
+                name="constant angle",
+                run=_BALANCE + "right_angle_impossible",
+                routes=(
+                    "derivatives of a constant",
+                    "sine-Gordon equation of either sigma",
+                ),
+                mutants=(Mutant(name="phi = pi", given={"halves": 2}),),
+            ),
         ),
     ),
     Claim(
@@ -271,6 +510,20 @@ _THEOREM: tuple[Claim, ...] = (
             r"$\varphi \approx \frac\pi2$ at the vertices",
         ),
         rests_on=("sg-global",),
+        checks=(
+            Check(
+                name="cancellation",
+                run=_BALANCE + "area_per_branch_point",
+                routes=(
+                    "alternating sum of the angles at the centre",
+                    "the printed area",
+                ),
+                mutants=(
+                    Mutant(name="order 4", given={"order": 4}, near=True),
+                    Mutant(name="1.01 pi", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.extra-undulation",
@@ -283,6 +536,32 @@ _THEOREM: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$m = 3$: the excess over a regular saddle is $m-2 = 1$",),
         rests_on=("def:m-saddle",),
+        checks=(
+            Check(
+                name="sectors at the point",
+                run=_BALANCE + "sectors_added",
+                part="point",
+                routes=(
+                    "signs of star saddles",
+                    "one more above and below",
+                ),
+                mutants=(
+                    Mutant(name="order 4", given={"order": 4}, near=True),
+                    Mutant(name="two more", given={"added": 2}, near=True),
+                ),
+            ),
+            Check(
+                name="corners of the boundary",
+                run=_V + "undulations",
+                part="boundary",
+                tier="full",
+                routes=(
+                    "degrees on the boundary of random tilings",
+                    "charges inside",
+                ),
+                mutants=(Mutant(name="one corner", given={"per_charge": 1}, near=True),),
+            ),
+        ),
     ),
 )
 

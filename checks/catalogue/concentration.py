@@ -1,6 +1,8 @@
 """Claims of section 3.5 on the concentration of the alternating sum at branch points."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_V = "checks.verify.concentration:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -12,17 +14,58 @@ CLAIMS: tuple[Claim, ...] = (
             r"On a branched surface $\varphi$ is discontinuous along the rays of a branch point: "
             r"across each of its $2m$ rays, $m \ge 3$, the limits from the two sides differ."
         ),
-        hypotheses=(
-            r"the point has order of saddleness $m \ge 3$",
-            (
-                r"(used, not stated) no two neighbouring sector angles add up to $\pi$: only then "
-                r"does every ray carry a jump, and without it at least $2m-2$ rays do"
-            ),
-        ),
+        hypotheses=(r"the point has order of saddleness $m \ge 3$",),
         rests_on=(
             "3.5.sector-angle",
             "3.5.angles-sum-to-two-pi",
             "def:branched_immersion",
+        ),
+        checks=(
+            Check(
+                name="every ray",
+                run=_V + "jumps",
+                routes=(
+                    "angles of seven stars",
+                    "sums of neighbouring angles",
+                ),
+                mutants=(Mutant(name="order 2 too", given={"smallest": 2}),),
+            ),
+            Check(
+                name="all but two rays",
+                run=_V + "jumps",
+                form="corrected",
+                given={"continuous_rays": 2},
+                routes=(
+                    "angles of seven stars",
+                    "sums of neighbouring angles",
+                ),
+                mutants=(
+                    Mutant(name="all but one", given={"continuous_rays": 1}, near=True),
+                    Mutant(name="order 2 too", given={"smallest": 2}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$\varphi$ necessarily has jumps across the asymptotic curves incident on a "
+                "branch point"
+            ),
+            corrected=(
+                r"across at least $2m-2$ of the $2m$ curves, namely all where the two sector "
+                r"angles beside them do not add up to $\pi$"
+            ),
+            kind="ambiguous",
+            witness=(
+                r"surgery at a smooth point with four right angles, one of them cut into three: "
+                r"the sector angles are $\frac\pi6, \frac\pi6, \frac\pi6, \frac\pi2, \frac\pi2, "
+                r"\frac\pi2$, and $\varphi = \frac\pi2$ on both sides of the two curves between "
+                "right angles"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "some curves of every branch point do carry jumps; the surgery of the paper always "
+                "leaves two that do not, opposite continuations of the edges of the cut"
+            ),
         ),
     ),
     Claim(
@@ -46,6 +89,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "3.5.thin-rectangle",
             "3.5.angle-at-far-corner",
+        ),
+        checks=(
+            Check(
+                name="polygons of the figure",
+                run=_V + "figure",
+                routes=(
+                    "general angle on a star",
+                    "Taylor series of a Goursat problem",
+                ),
+                mutants=(
+                    Mutant(name="signs of the q exchanged", given={"sign": -1}),
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -71,6 +128,17 @@ CLAIMS: tuple[Claim, ...] = (
             "def:m-star",
             "eq:sector-coords",
         ),
+        checks=(
+            Check(
+                name="seven stars",
+                run=_V + "sector_angle_by_parity",
+                routes=(
+                    "cos phi = sigma r_u . r_v on the rays",
+                    "the caption",
+                ),
+                mutants=(Mutant(name="numbered from 1", given={"even": 1}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="lem:m-star",
@@ -95,6 +163,49 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.star-sum-value",
             "3.5.star-decomposition",
         ),
+        checks=(
+            Check(
+                name="unknown surfaces",
+                run=_V + "star_lemma",
+                routes=(
+                    "integrated sine-Gordon equation on each sector",
+                    "the printed formula",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite concentration", given={"sign": 1}),
+                    Mutant(name="area subtracted", given={"area_sign": -1}),
+                    Mutant(name="1.01 pi", given={"percent": 101}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="sigma constant", given={"alternating": False}),
+                    Mutant(name="angles of sum 4 pi", given={"turns": 2}),
+                ),
+            ),
+            Check(
+                name="Amsler stars by quadrature",
+                run=_V + "star_by_quadrature",
+                routes=(
+                    "certified PIII at the corners",
+                    "midpoint rule on the Taylor series of the angle",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                ),
+            ),
+            Check(
+                name="shrinking Amsler stars",
+                run=_V + "shrinking_stars",
+                routes=(
+                    "certified PIII at the corners",
+                    "limit with its error bound",
+                ),
+                mutants=(
+                    Mutant(name="m - 1 for m - 2", given={"regular": 1}, near=True),
+                    Mutant(name="1.01 pi", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.star-boundary",
@@ -112,6 +223,17 @@ CLAIMS: tuple[Claim, ...] = (
             "def:m-star",
             "3.5.hamburger-polygon",
             "3.5.stars-are-hamburger-polygons",
+        ),
+        checks=(
+            Check(
+                name="arcs and corners",
+                run=_V + "star_boundary",
+                routes=(
+                    "families of the arcs between corners",
+                    "2m sides",
+                ),
+                mutants=(Mutant(name="m sides", given={"per_order": 1}),),
+            ),
         ),
     ),
     Claim(
@@ -131,6 +253,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("3.5.vertex-signs",),
+        checks=(
+            Check(
+                name="signs",
+                run=_V + "strip_formula",
+                routes=(
+                    "signs where u-arcs begin",
+                    "the printed formula",
+                ),
+                mutants=(
+                    Mutant(name="signs of the q exchanged", given={"sign": -1}),
+                    Mutant(name="about a v-curve", given={"rays": "v"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.thin-rectangle-differences",
@@ -149,6 +285,20 @@ CLAIMS: tuple[Claim, ...] = (
             (
                 r"(used, not stated) the ends of the rectangle differ by $O(\varepsilon)$ from "
                 r"those of the integral"
+            ),
+        ),
+        checks=(
+            Check(
+                name="area between",
+                run=_V + "strip_differences",
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "Taylor series of a Goursat problem",
+                ),
+                mutants=(
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                ),
             ),
         ),
     ),
@@ -173,6 +323,20 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:frames",
             "eq:def_phi",
         ),
+        checks=(
+            Check(
+                name="geodesic curvature",
+                run=_V + "curvatures_match",
+                routes=(
+                    "moving frame",
+                    "metric of asymptotic lines",
+                ),
+                mutants=(
+                    Mutant(name="opposite sign", given={"sign": -1}),
+                    Mutant(name="a normal for each sector", given={"one_normal": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.thin-rectangle-vanishes",
@@ -190,6 +354,21 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.thin-rectangle-differences",
             "3.5.angle-derivatives-match",
         ),
+        checks=(
+            Check(
+                name="area of the strip",
+                run=_V + "strips_vanish",
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "Taylor series of a Goursat problem",
+                ),
+                mutants=(
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.thin-rectangle-along-v-curve",
@@ -205,6 +384,34 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:sg",
             "3.5.vertex-signs",
         ),
+        checks=(
+            Check(
+                name="geodesic curvature",
+                run=_V + "v_curvatures_match",
+                part="curvature",
+                routes=(
+                    "moving frame",
+                    "metric of asymptotic lines",
+                ),
+                mutants=(
+                    Mutant(name="opposite sign", given={"sign": -1}),
+                    Mutant(name="a normal for each sector", given={"one_normal": False}),
+                ),
+            ),
+            Check(
+                name="area of the strip",
+                run=_V + "v_strips_vanish",
+                part="strip",
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "Taylor series of a Goursat problem",
+                ),
+                mutants=(
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.no-concentration-on-curves",
@@ -218,6 +425,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "3.5.thin-rectangle-vanishes",
             "3.5.thin-rectangle-along-v-curve",
+        ),
+        checks=(
+            Check(
+                name="strips about all rays",
+                run=_V + "all_strips_vanish",
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "Taylor series of a Goursat problem",
+                ),
+                mutants=(
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -235,6 +456,20 @@ CLAIMS: tuple[Claim, ...] = (
             "prop:assembly",
             "def:m-saddle",
         ),
+        checks=(
+            Check(
+                name="torsions of the rays",
+                run=_V + "alternating_rays",
+                routes=(
+                    "turning of the normal of star saddles",
+                    "m curves of either family",
+                ),
+                mutants=(
+                    Mutant(name="pairs of equal torsion", given={"shift": 2}),
+                    Mutant(name="m + 1 curves", given={"per_family": 1}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.angles-sum-to-two-pi",
@@ -250,6 +485,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) the surface is an immersion at $p_i$, each $\alpha_j \in (0,\pi)$",
         ),
         rests_on=("def:m-star",),
+        checks=(
+            Check(
+                name="tangents of the rays",
+                run=_V + "angles_at_centre",
+                routes=(
+                    "inner products of neighbouring tangents",
+                    "2 pi",
+                ),
+                mutants=(
+                    Mutant(name="two turns", given={"turns": 2}),
+                    Mutant(name="1.01 times 2 pi", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.sector-angle",
@@ -265,6 +514,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"counterclockwise is meant with respect to $\omega$",
         ),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="both senses",
+                run=_V + "sector_angle",
+                routes=(
+                    "cos phi = sigma r_u . r_v, sin phi = |r_u x r_v|",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="senses exchanged", given={"swapped": True}),
+                    Mutant(name="2 pi - alpha", given={"whole": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.angle-at-far-corner",
@@ -280,6 +543,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) $\varphi$ is Lipschitz on $R_j$; continuity alone gives $o(1)$",
         ),
         rests_on=("3.5.sector-angle",),
+        checks=(
+            Check(
+                name="Taylor series",
+                run=_V + "far_corner",
+                routes=(
+                    "Goursat problem with smooth data",
+                    "order in eps",
+                ),
+                mutants=(
+                    Mutant(name="O(eps^2)", given={"least": 2}, near=True),
+                    Mutant(name="phi not Lipschitz on an edge", given={"lipschitz": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.star-sum",
@@ -297,6 +574,44 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.vertex-signs",
             "3.5.angle-at-far-corner",
             "3.5.star-boundary",
+        ),
+        checks=(
+            Check(
+                name="printed exponent",
+                run=_V + "star_sum",
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "the printed sum",
+                ),
+                mutants=(
+                    Mutant(name="twice the index of the branch point", given={"exponent": "2i"}),
+                ),
+            ),
+            Check(
+                name="exponent j",
+                run=_V + "star_sum",
+                form="corrected",
+                given={"exponent": "j"},
+                routes=(
+                    "integrated sine-Gordon equation",
+                    "the printed sum",
+                ),
+                mutants=(
+                    Mutant(name="the printed exponent", given={"exponent": "i"}),
+                    Mutant(name="j + 1", given={"exponent": "j+1"}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\Delta_{T_\varepsilon} = \sum_j (-1)^i\varphi_j + O(\epsilon)$",
+            corrected=r"$\Delta_{T_\varepsilon} = \sum_j (-1)^j\varphi_j + O(\varepsilon)$",
+            kind="misprint",
+            witness=(
+                r"six equal sectors: $\varphi_j$ is $\frac\pi3$ and $\frac{2\pi}3$ in turn, so "
+                r"that $\sum_j(-1)^i\varphi_j = \pm3\pi$, while $\Delta_{T_\varepsilon} \to -\pi$"
+            ),
+            conclusion_survives=True,
+            remark="$i$ numbers the branch points; the second equality is for the exponent $j$",
         ),
     ),
     Claim(
@@ -318,6 +633,21 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.angles-sum-to-two-pi",
             "3.5.alternating-rays",
         ),
+        checks=(
+            Check(
+                name="arbitrary angles",
+                run=_V + "star_sum_value",
+                routes=(
+                    "angles of sum 2 pi",
+                    "the printed value",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="1.01 pi", given={"percent": 101}, near=True),
+                    Mutant(name="angles of sum 4 pi", given={"turns": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.star-decomposition",
@@ -330,12 +660,29 @@ CLAIMS: tuple[Claim, ...] = (
             r"up to $\Delta_{T_i} = A(T_i) - (m_i-2)\pi$ as $\varepsilon \to 0$."
         ),
         hypotheses=(
-            r"(used, not stated) at a vertex on a ray the two one-sided angles are kept apart",
+            (
+                r"(used, not stated) $\varepsilon$ is less than the lengths of the rays; then no "
+                "corner of a piece lies on a ray"
+            ),
         ),
         rests_on=(
             "eq:hazzidakis",
             "3.5.star-sum-value",
             "3.5.no-concentration-on-curves",
+        ),
+        checks=(
+            Check(
+                name="pieces",
+                run=_V + "star_pieces",
+                routes=(
+                    "sums over the pieces",
+                    "sum over the star",
+                ),
+                mutants=(
+                    Mutant(name="no strips along v-rays", given={"strips": "u"}),
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -349,6 +696,17 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$m_p = 2$",),
         rests_on=("lem:m-star",),
+        checks=(
+            Check(
+                name="order 2",
+                run=_V + "two_saddle",
+                routes=(
+                    "integrated sine-Gordon equation on four sectors",
+                    "area",
+                ),
+                mutants=(Mutant(name="order 3", given={"order": 3}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.concentration-sign",
@@ -361,5 +719,19 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$m_p \ge 2$",),
         rests_on=("lem:m-star",),
+        checks=(
+            Check(
+                name="orders 2 to 8",
+                run=_V + "concentration_sign",
+                routes=(
+                    "alternating sum of the angles at the centre",
+                    "the printed value",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite sign", given={"sign": 1}),
+                ),
+            ),
+        ),
     ),
 )

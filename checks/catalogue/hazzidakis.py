@@ -1,6 +1,8 @@
 """Claims of section 3.5 up to Hamburger polygons: the Hazzidakis formula and its extension."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_V = "checks.verify.hazzidakis:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -17,6 +19,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) $\varphi_{uv} = \varphi_{vu}$",
         ),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="differential",
+                run=_V + "one_form",
+                routes=(
+                    "exterior derivative for an unknown angle",
+                    "the printed form",
+                ),
+                mutants=(
+                    Mutant(name="factor 1 for 1/2", given={"denominator": 1}),
+                    Mutant(name="sum for difference", given={"sign_u": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.area-form",
@@ -38,6 +54,20 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:Nfront",
             "eq:def_phi",
         ),
+        checks=(
+            Check(
+                name="oriented area",
+                run=_V + "area_form",
+                routes=(
+                    "(r_u x r_v).N by Gauss-Weingarten and on explicit surfaces",
+                    "the printed metric and form",
+                ),
+                mutants=(
+                    Mutant(name="no sigma in beta", given={"sigma_power": 0}),
+                    Mutant(name="no sigma in g", given={"metric_power": 0}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.sine-gordon-in-forms",
@@ -53,6 +83,20 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:sg",
             "3.5.one-form",
             "3.5.area-form",
+        ),
+        checks=(
+            Check(
+                name="equivalence",
+                run=_V + "sine_gordon_in_forms",
+                routes=(
+                    "Riemann tensor of the metric of asymptotic lines",
+                    "exterior derivative of the printed form",
+                ),
+                mutants=(
+                    Mutant(name="no sigma in beta", given={"sigma_power": 0}),
+                    Mutant(name="sum for difference", given={"sign_u": 1}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -79,6 +123,79 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.sine-gordon-in-forms",
             "eq:sg",
         ),
+        checks=(
+            Check(
+                name="printed",
+                run=_V + "hazzidakis",
+                routes=(
+                    "mixed derivative by the last corner",
+                    "sine-Gordon equation of either sigma",
+                ),
+                mutants=(Mutant(name="sums for differences", given={"sign": 1}),),
+            ),
+            Check(
+                name="with sigma",
+                run=_V + "hazzidakis",
+                form="corrected",
+                given={"sigma_power": 1},
+                routes=(
+                    "mixed derivative by the last corner",
+                    "sine-Gordon equation of either sigma",
+                ),
+                mutants=(
+                    Mutant(name="sums for differences", given={"sign": 1}),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                    Mutant(name="no sigma", given={"sigma_power": 0}),
+                ),
+            ),
+            Check(
+                name="pseudosphere, printed",
+                run=_V + "hazzidakis_on_pseudosphere",
+                part="pseudosphere",
+                routes=(
+                    "closed form of the angle",
+                    "rigorous quadrature of the area",
+                ),
+                mutants=(Mutant(name="area times 1.01", given={"percent": 101}, near=True),),
+            ),
+            Check(
+                name="pseudosphere, with sigma",
+                run=_V + "hazzidakis_on_pseudosphere",
+                form="corrected",
+                given={"sigma_power": 1},
+                part="pseudosphere",
+                routes=(
+                    "closed form of the angle",
+                    "rigorous quadrature of the area",
+                ),
+                mutants=(
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                    Mutant(name="no sigma", given={"sigma_power": 0}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$\varphi(u_0,v_0) - \varphi(u_0,v_1) + \varphi(u_1,v_1) - \varphi(u_1,v_0) = "
+                r"A(R)$, $A$ the area of the quadrilateral"
+            ),
+            corrected=(
+                r"the left side is $\sigma A(R)$: the formula needs $\sigma = +1$, or the signs of "
+                r"(eq:sg-hamburger), which follow the orientation $\omega$"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"The pseudosphere with $\varphi = 4\arctan e^{u+v}$, $\sigma = +1$, has on $R = "
+                r"[-2,-1]\times[-1,0]$ the left side $0.53289\ldots = A(R)$. With $\omega$ "
+                r"reversed, $\sigma = -1$ and $\varphi$ becomes $\pi - \varphi$: the left side is "
+                r"$-0.53289\ldots$, the area the same"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"half of the sectors at a branch point have $\sigma = -1$; (eq:sg-hamburger) and "
+                "the theorem have the right signs for both"
+            ),
+        ),
     ),
     Claim(
         id="3.5.sign-by-path-length",
@@ -92,6 +209,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) each side of the quadrilateral counts as one edge",),
         rests_on=("eq:hazzidakis",),
+        checks=(
+            Check(
+                name="walks on the sides",
+                run=_V + "path_lengths",
+                routes=(
+                    "all walks of up to 7 steps",
+                    "the printed signs",
+                ),
+                mutants=(
+                    Mutant(name="a diagonal counts as a side", given={"diagonal": True}),
+                    Mutant(name="lengths from a neighbouring corner", given={"shift": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.angle-range-of-an-immersion",
@@ -101,6 +232,21 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$R$ is immersed only if $0 < \varphi(u,v) < \pi$ on $R$.",
         hypotheses=(r"$\varphi$ is the angle of (eq:def_phi), with values in $[0,\pi]$",),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="independent tangents",
+                run="checks.verify.invariant_angle:immersion",
+                routes=(
+                    "Lagrange's identity",
+                    "zeros of the sine",
+                ),
+                mutants=(
+                    Mutant(name="sum in the identity", given={"sign": 1}),
+                    Mutant(name="zeros of the cosine", given={"function": "cos"}),
+                    Mutant(name="speed not 1", given={"unit": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.quadrilateral-area-bound",
@@ -112,6 +258,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "eq:hazzidakis",
             "3.5.angle-range-of-an-immersion",
+        ),
+        checks=(
+            Check(
+                name="corners in (0, pi)",
+                run=_V + "area_bound",
+                routes=(
+                    "corner angles anywhere in (0, pi)",
+                    "rhombi of Minding's bobbin by the pendulum",
+                ),
+                mutants=(
+                    Mutant(name="bound pi", given={"hundredths": 100}),
+                    Mutant(name="bound 1.98 pi", given={"hundredths": 198}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -132,6 +292,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:hazzidakis",),
+        checks=(
+            Check(
+                name="kinks along asymptotic lines",
+                run=_V + "continuous_angle",
+                routes=(
+                    "sum over the cells cut off by the kinks",
+                    "sum over the rectangle",
+                ),
+                mutants=(Mutant(name="phi jumps by varying amounts", given={"jump": True}),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.hamburger-polygon",
@@ -149,6 +320,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("defn:quad",),
+        checks=(
+            Check(
+                name="instances and near-misses",
+                run=_V + "hamburger_polygon",
+                routes=(
+                    "families of the sides, points passed twice",
+                    "the printed definition",
+                ),
+                mutants=(
+                    Mutant(name="any arcs", given={"mixed": True}),
+                    Mutant(name="curves that cross themselves", given={"crossing": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:sg-hamburger",
@@ -173,6 +358,35 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.hamburger-polygon",
             "3.5.vertex-signs",
         ),
+        checks=(
+            Check(
+                name="polygons of a grid",
+                run=_V + "hamburger_sum",
+                routes=(
+                    "signs at the vertices",
+                    "Hazzidakis' formula cell by cell",
+                ),
+                mutants=(
+                    Mutant(name="+ where v-arcs begin", given={"initial": "v"}),
+                    Mutant(
+                        name="oriented by the coordinates", given={"orientation": "coordinates"}
+                    ),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                ),
+            ),
+            Check(
+                name="spiral in an Amsler sector",
+                run=_V + "hamburger_by_quadrature",
+                routes=(
+                    "certified PIII at the vertices",
+                    "midpoint rule on the Taylor series of the angle",
+                ),
+                mutants=(
+                    Mutant(name="+ where v-arcs begin", given={"initial": "v"}),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.vertex-signs",
@@ -194,6 +408,20 @@ CLAIMS: tuple[Claim, ...] = (
             "3.5.one-form",
             "3.5.hamburger-polygon",
         ),
+        checks=(
+            Check(
+                name="boundary integral",
+                run=_V + "vertex_signs",
+                routes=(
+                    "integral of alpha arc by arc",
+                    "the printed signs",
+                ),
+                mutants=(
+                    Mutant(name="+ where v-arcs begin", given={"initial": "v"}),
+                    Mutant(name="sum for difference in alpha", given={"sign_u": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.stars-are-hamburger-polygons",
@@ -212,6 +440,19 @@ CLAIMS: tuple[Claim, ...] = (
             "def:m-star",
             "3.5.hamburger-polygon",
         ),
+        checks=(
+            Check(
+                name="arcs of the boundary",
+                run=_V + "stars_are_hamburger",
+                routes=(
+                    "families of the arcs between corners",
+                    "the printed definition",
+                ),
+                mutants=(
+                    Mutant(name="different lengths along a ray", given={"equal_lengths": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.hamburger-agrees-with-hazzidakis",
@@ -227,6 +468,45 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:hazzidakis",
             "eq:sg-hamburger",
         ),
+        checks=(
+            Check(
+                name="printed",
+                run=_V + "agreement",
+                routes=(
+                    "signs by the orientation omega",
+                    "signs by the coordinates",
+                ),
+                mutants=(Mutant(name="square of sigma", given={"sigma_power": 2}),),
+            ),
+            Check(
+                name="with sigma",
+                run=_V + "agreement",
+                form="corrected",
+                given={"sigma_power": 1},
+                routes=(
+                    "signs by the orientation omega",
+                    "signs by the coordinates",
+                ),
+                mutants=(Mutant(name="no sigma", given={"sigma_power": 0}),),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                "(eq:sg-hamburger) agrees with the Hazzidakis formula on asymptotic quadrilaterals"
+            ),
+            corrected=(
+                r"it agrees where $\sigma = +1$; where $\sigma = -1$ their left sides have "
+                "opposite signs, and (eq:sg-hamburger) is right"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"for $\sigma = -1$ the orientation $\omega$ passes the corners in the order "
+                r"$(u_1,v_0), (u_0,v_0), (u_0,v_1), (u_1,v_1)$, the first arc along $u$: the "
+                r"sum is $\varphi(u_1,v_0) - \varphi(u_0,v_0) + \varphi(u_0,v_1) - "
+                r"\varphi(u_1,v_1)$, minus that of (eq:hazzidakis)"
+            ),
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="3.5.branch-point-not-smooth",
@@ -241,6 +521,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "def:m-star",
             "def:m-saddle",
+        ),
+        checks=(
+            Check(
+                name="rays of a star",
+                run=_V + "not_smooth",
+                routes=(
+                    "quadratic forms that vanish on three lines",
+                    "jump of the second derivatives of star saddles",
+                ),
+                mutants=(
+                    Mutant(name="order 2", given={"orders": "2"}),
+                    Mutant(name="two lines", given={"directions": 2}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -264,6 +558,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "eq:sg-hamburger",
             "3.5.hazzidakis-for-continuous-angle",
+        ),
+        checks=(
+            Check(
+                name="kinks along asymptotic lines",
+                run=_V + "continuous_angle",
+                routes=(
+                    "sum over the cells cut off by the kinks",
+                    "sum over the rectangle",
+                ),
+                mutants=(Mutant(name="phi jumps by varying amounts", given={"jump": True}),),
+            ),
         ),
     ),
 )

@@ -82,13 +82,10 @@ def sector_angle_by_parity(alpha: Any, j: int, *, even: int = 0) -> Any:
 
 
 def star_sum(phis: Sequence[Any], star: int, *, exponent: str = "i") -> Any:
-    """Sum over j of (-1)^i phi_j; i the index of the branch point, exponent "j" that of the sum."""
-    return sum((-1) ** (star if exponent == "i" else j) * phi for j, phi in enumerate(phis))
-
-
-def sum_over_pieces(values: Sequence[Any], *, last: int) -> Any:
-    """Sum over j = 1, ..., last of Delta over the piece j."""
-    return sum(values[:last], sp.Integer(0))
+    """Sum over j of (-1)^i phi_j, i the index of the branch point; exponent: by i and j."""
+    powers = {"i": (star, 0), "2i": (2 * star, 0), "j": (0, 1), "j+1": (1, 1)}
+    constant, slope = powers[exponent]
+    return sum((-1) ** (constant + slope * j) * phi for j, phi in enumerate(phis))
 
 
 def principal_curvatures(phi: Any, *, second: int = -1, halves: int = 1) -> tuple[Any, Any]:

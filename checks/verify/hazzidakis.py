@@ -1,0 +1,427 @@
+"""Checks of section 3.5 up to Hamburger polygons: forms, Hazzidakis' formula and its extension."""
+
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+from flint import arb
+from mpmath import mp
+
+from checks.evidence import Evidence, Setting
+from checks.exact import combined, identities, statement
+from checks.positivity import positivity
+from checks.printed import branched_sine_gordon as printed
+from checks.verify.ball_bounds import bounded
+from checks.verify.convergence import order
+from checks.verify.nets import ROUTES, all_nets, over_nets
+from theory import amsler_star_area, painleve, soliton_rectangle, star_saddle
+from theory import asymptotic_polygon as polygons
+from theory.amsler import chebyshev_metric
+from theory.asymptotic_net import AsymptoticNet
+from theory.curvature import intrinsic_curvature
+from theory.star_field import StarField, lengths
+
+U, V = sp.symbols("u v", real=True)
+PHI = sp.Function("phi", positive=True)(U, V)
+SIGNS = (1, -1)
+
+
+def _differential(*, denominator: int = 2, sign_u: int = -1) -> Any:
+    """Coefficient of du ^ dv in the differential of the printed one-form."""
+    along_u, along_v = printed.one_form(
+        sp.diff(PHI, U), sp.diff(PHI, V), denominator=denominator, sign_u=sign_u
+    )
+    return sp.diff(along_v, U) - sp.diff(along_u, V)
+
+
+def one_form(setting: Setting, *, denominator: int = 2, sign_u: int = -1) -> Evidence:
+    """Differential of alpha for an unknown angle."""
+    gap = _differential(denominator=denominator, sign_u=sign_u) - sp.diff(PHI, U, V)
+    return identities(
+        setting,
+        {"d alpha - phi_uv du ^ dv": gap},
+        shown="for an unknown angle, d alpha = phi_uv du ^ dv",
+    )
+
+
+def area_form(setting: Setting, *, sigma_power: int = 1, metric_power: int = 1) -> Evidence:
+    """Area form oriented by N, and its square, against the metric as printed."""
+
+    def residuals(net: AsymptoticNet) -> dict[str, Any]:
+        dot = net.calculus.dot
+        metric = printed.metric(net.cos_phi, net.sigma, sigma_power=metric_power)
+        area = dot(net.calculus.cross(net.r_u, net.r_v), net.normal)
+        beta = printed.area_form(net.sin_phi, net.sigma, sigma_power=sigma_power)
+        return {
+            "metric": [metric[0, 0] - dot(net.r_u, net.r_u), metric[0, 1] - dot(net.r_u, net.r_v)],
+            "beta^2 - det g": beta**2 - metric.det(),
+            "beta - (r_u x r_v).N": beta - area,
+        }
+
+    return over_nets(
+        setting, all_nets(), residuals, shown=f"beta = sigma sin phi du ^ dv, {ROUTES}"
+    )
+
+
+def sine_gordon_in_forms(setting: Setting, *, sigma_power: int = 1, sign_u: int = -1) -> Evidence:
+    """Coefficient of d alpha - beta, by the curvature of the metric of asymptotic lines."""
+    residuals = {}
+    for sigma in SIGNS:
+        beta = printed.area_form(sp.sin(PHI), sigma, sigma_power=sigma_power)
+        gap = _differential(sign_u=sign_u) - beta
+        curvature = intrinsic_curvature(chebyshev_metric(PHI, sigma=sigma), (U, V))
+        residuals[f"sine-Gordon, sigma = {sigma}"] = gap - (
+            sp.diff(PHI, U, V) - sigma * sp.sin(PHI)
+        )
+        residuals[f"K + 1, sigma = {sigma}"] = gap + (curvature + 1) * sigma * sp.sin(PHI)
+    return identities(
+        setting,
+        residuals,
+        shown="d alpha - beta is phi_uv - sigma sin phi, and -sigma sin phi (K + 1) for the "
+        "curvature K of the metric: it vanishes exactly where K = -1",
+    )
+
+
+def hazzidakis(
+    setting: Setting, *, sigma_power: int = 0, sign: int = -1, percent: int = 100
+) -> Evidence:
+    """Mixed derivative of (eq:hazzidakis) by its last corner, and its value on the sides.
+
+    phi is any solution of phi_uv = sigma sin phi, sin phi du dv its area.
+    """
+    u0, v0 = sp.symbols("u_0 v_0", real=True)
+    residuals = {}
+    phi = sp.Function("phi", real=True)
+    for sigma in SIGNS:
+        left = printed.corner_sum(phi(u0, v0), phi(u0, V), phi(U, V), phi(U, v0), sign=sign)
+        mixed = sp.diff(left, U, V).subs(sp.diff(phi(U, V), U, V), sigma * sp.sin(phi(U, V)))
+        right = printed.rectangle_area(
+            sp.sin(phi(U, V)), sigma, sigma_power=sigma_power, percent=percent
+        )
+        residuals[f"u_1 = u_0, sigma = {sigma}"] = left.subs(U, u0)
+        residuals[f"v_1 = v_0, sigma = {sigma}"] = left.subs(V, v0)
+        residuals[f"d^2/du_1 dv_1, sigma = {sigma}"] = mixed - right
+    return identities(
+        setting,
+        residuals,
+        shown="both sides vanish on degenerate rectangles and have the same mixed derivative by "
+        "the last corner, for both signs of sigma",
+    )
+
+
+_RECTANGLES = (
+    (Fraction(-2), Fraction(-1), Fraction(-1), Fraction(0)),
+    (Fraction(-3), Fraction(1), Fraction(-4), Fraction(-1)),
+    (Fraction(-1, 3), Fraction(0), Fraction(-7), Fraction(0)),
+    (Fraction(-9), Fraction(0), Fraction(-9), Fraction(0)),
+)
+PSEUDOSPHERE_BITS = 128
+
+
+def hazzidakis_on_pseudosphere(
+    setting: Setting, *, sigma_power: int = 0, percent: int = 100
+) -> Evidence:
+    """(eq:hazzidakis) in balls on rectangles of the pseudosphere, for both orientations.
+
+    With the other orientation sigma = -1 and the angle is pi less the angle before.
+    """
+
+    def rows() -> Any:
+        for u0, u1, v0, v1 in _RECTANGLES:
+            area = soliton_rectangle.area((u0, u1, v0, v1))
+            for sigma in SIGNS:
+                a, b, c, d = (
+                    soliton_rectangle.angle(*p) if sigma == 1
+                    else arb.pi() - soliton_rectangle.angle(*p)
+                    for p in ((u0, v0), (u0, v1), (u1, v1), (u1, v0))
+                )  # fmt: skip
+                right = sigma**sigma_power * area * percent / 100
+                gap = abs(printed.corner_sum(a, b, c, d) - right)
+                yield f"[{u0}, {u1}] x [{v0}, {v1}], sigma = {sigma}", gap, arb("1e-25")
+
+    return bounded(
+        rows(),
+        bits=PSEUDOSPHERE_BITS,
+        shown="on four rectangles of the pseudosphere, areas by rigorous quadrature, both sides "
+        "agree to 25 decimals",
+    )
+
+
+def path_lengths(setting: Setting, *, diagonal: bool = False, shift: int = 0) -> Evidence:
+    """Parities of the lengths of all walks of up to 7 steps from the corner (u_0, v_0).
+
+    diagonal: whether a diagonal counts as an edge too; shift: added to every length.
+    """
+    corners = [(0, 0), (0, 1), (1, 1), (1, 0)]
+    far = {2} if diagonal else set()
+    reached: dict[tuple[int, int], set[int]] = {corner: set() for corner in corners}
+    here = {(0, 0)}
+    for length in range(8):
+        for corner in here:
+            reached[corner].add((length + shift) % 2)
+        here = {b for a in here for b in corners if sum(map(_gap, a, b)) in {1} | far}
+    if any(len(parities) != 1 for parities in reached.values()):
+        return statement(False, shown="", witness="walks of either parity reach a corner")
+    phi = {corner: sp.Symbol(f"phi_{corner[0]}{corner[1]}") for corner in corners}
+    total = sum((-1) ** min(reached[corner]) * phi[corner] for corner in corners)
+    return identities(
+        setting,
+        {"sum by parities": total - printed.corner_sum(*(phi[corner] for corner in corners))},
+        shown="all walks to a corner have one parity, and the signs are those of the formula",
+    )
+
+
+def _gap(a: int, b: int) -> int:
+    return abs(a - b)
+
+
+def area_bound(setting: Setting, *, hundredths: int = 200) -> Evidence:
+    """Bound on the area of rhombi of Minding's bobbin, and of any corners in (0, pi).
+
+    phi = pi s/(1 + s) for s > 0; on the bobbin pi > largest > least > 0.
+    """
+    s, t, x, y = sp.symbols("s t x y", positive=True)
+    bound = printed.area_bound(hundredths=hundredths)
+    # High powers bring the rational values of a refutation near the ends of (0, pi).
+    low, rise = s**6, t**6
+    rhombus = polygons.pendulum_rhombus_area(
+        sp.pi * (low + rise) / (1 + low + rise), sp.pi * low / (1 + low + rise)
+    )
+    corners = printed.corner_sum(*(sp.pi * e / (1 + e) for e in (s, t, x, y)))
+    claims = {
+        "bound less area, bobbin": bound - rhombus,
+        "bound less the sum": sp.together(bound - corners),
+        "bound plus the sum": sp.together(bound + corners),
+    }
+    parts = {
+        "bobbin": identities(
+            setting, {"area by the pendulum": polygons.pendulum_defect()}, shown=""
+        ),
+        "bound": positivity(setting, claims, shown=""),
+    }
+    return combined(
+        parts,
+        shown="corner angles in (0, pi) keep the alternating sum between -2 pi and 2 pi; rhombi of "
+        "the bobbin have every area below 2 pi",
+    )
+
+
+def continuous_angle(setting: Setting, *, jump: bool = False) -> Evidence:
+    """Sum over the cells of a rectangle cut by asymptotic lines where phi has kinks.
+
+    jump: whether phi jumps across the first line u = u_1 by an amount that changes along it.
+    """
+    unknown = polygons.unknown_angle
+    step = sp.Function("j", real=True)
+
+    def right_of(point: Any) -> Any:
+        return unknown(point) + (step(point[1]) if jump and point[0] == 1 else 0)
+
+    def in_cell(cell: Any) -> Any:
+        return polygons.cell_difference(cell, right_of if cell[0] >= 1 else unknown)
+
+    columns, rows = 3, 2
+    total = sum(in_cell((i, j)) for i in range(columns) for j in range(rows))
+    whole = unknown((0, 0)) - unknown((0, rows)) + unknown((columns, rows)) - unknown((columns, 0))
+    return identities(
+        setting,
+        {"sum over the cells - sum over the rectangle": sp.expand(total - whole)},
+        shown="where phi is continuous, the sums over the cells that kinks cut off add up to the "
+        "sum over the rectangle, as the areas do: the formula passes to the rectangle, and "
+        "with its area the sum tends to 0",
+    )
+
+
+_OTHER_CURVES: dict[str, polygons.Polygon] = {
+    "triangle": ((0, 0), (2, 0), (0, 2)),
+    "figure of eight": ((0, 0), (2, 0), (2, 1), (1, 1), (1, -1), (0, -1)),
+}
+
+
+def hamburger_polygon(setting: Setting, *, mixed: bool = False, crossing: bool = False) -> Evidence:
+    """Sort polygons of the coordinate grid into Hamburger polygons and others."""
+    wrong = []
+    for name, polygon in (*polygons.POLYGONS.items(), *_OTHER_CURVES.items()):
+        kinds = [polygons.family(arc) for arc in polygons.arcs(polygon)]
+        simple = polygons.is_simple(polygon)
+        found = printed.is_hamburger_polygon(kinds, simple, mixed=mixed, crossing=crossing)
+        if found != (name in polygons.POLYGONS):
+            wrong.append(name)
+    return statement(
+        not wrong,
+        shown="six polygons of u- and v-arcs are accepted; a triangle with one other side and a "
+        "closed curve of u- and v-arcs that crosses itself are refused",
+        witness=f"decided wrongly: {', '.join(wrong)}",
+    )
+
+
+def _signed_sum(polygon: polygons.Polygon, *, initial: str = "u") -> Any:
+    families = [polygons.family(arc) for arc in polygons.arcs(polygon)]
+    signs = printed.vertex_signs(families, initial=initial)
+    return sum(s * polygons.unknown_angle(p) for s, p in zip(signs, polygon, strict=True))
+
+
+def vertex_signs(setting: Setting, *, initial: str = "u", sign_u: int = -1) -> Evidence:
+    """Alternating sum over the vertices against the boundary integral, arc by arc."""
+    residuals = {}
+    for name, polygon in polygons.POLYGONS.items():
+        for sigma in SIGNS:
+            turned = polygons.oriented(polygon, sigma=sigma)
+            integral = polygons.boundary_integral(turned, polygons.unknown_angle, sign_u=sign_u)
+            residuals[f"{name}, sigma = {sigma}"] = sp.expand(
+                _signed_sum(turned, initial=initial) - integral
+            )
+    return identities(
+        setting,
+        residuals,
+        shown="on six polygons with unknown angles the signs turn the boundary integral into the "
+        "sum over the vertices, for both signs of sigma",
+    )
+
+
+def hamburger_sum(
+    setting: Setting, *, initial: str = "u", orientation: str = "surface", percent: int = 100
+) -> Evidence:
+    """(eq:sg-hamburger) on polygons of the grid, the area of a cell by Hazzidakis with sigma.
+
+    orientation: of the polygon, `surface` for that of sigma du dv, `coordinates` for du dv.
+    """
+    residuals = {}
+    for name, polygon in polygons.POLYGONS.items():
+        for sigma in SIGNS:
+            turned = polygons.oriented(polygon, sigma=sigma if orientation == "surface" else 1)
+            area = sum(
+                sigma * polygons.cell_difference(cell, polygons.unknown_angle)
+                for cell in polygons.cells(polygon)
+            )
+            gap = _signed_sum(turned, initial=initial) - area * sp.Rational(percent, 100)
+            residuals[f"{name}, sigma = {sigma}"] = sp.expand(gap)
+    return identities(
+        setting,
+        residuals,
+        shown="on six polygons with unknown angles, convex or not, the sum is the area of the "
+        "cells inside, for both signs of sigma",
+    )
+
+
+LEVELS = (4, 8, 16, 32)
+_STEP = Fraction(1, 6)
+
+
+def _sector_angle(point: polygons.Point) -> Any:
+    """Certified angle of the Amsler sector with phi_0 = 1 at (i/6, j/6), as mpf."""
+    x = point[0] * point[1] * _STEP**2
+    if x == 0:
+        return mp.mpf(1)
+    found = painleve.angle(1, lambda: 2 * arb(x.numerator).sqrt() / arb(x.denominator).sqrt())
+    return mp.mpf(found.decimal(15))
+
+
+def hamburger_by_quadrature(
+    setting: Setting, *, initial: str = "u", percent: int = 100
+) -> Evidence:
+    """(eq:sg-hamburger) in an Amsler sector: PIII at the vertices, the midpoint rule inside."""
+    polygon = polygons.POLYGONS["spiral"]
+    families = [polygons.family(arc) for arc in polygons.arcs(polygon)]
+    signs = printed.vertex_signs(families, initial=initial)
+    left = sum(s * _sector_angle(p) for s, p in zip(signs, polygon, strict=True))
+    errors = []
+    for cells in LEVELS:
+        area = sum(
+            amsler_star_area.rectangle_area(
+                1.0, (float(i * _STEP), float((i + 1) * _STEP)),
+                (float(j * _STEP), float((j + 1) * _STEP)), cells,
+            )
+            for i, j in polygons.cells(polygon)
+        )  # fmt: skip
+        errors.append(left - mp.mpf(area) * percent / 100)
+    return order(
+        [mp.mpf(1) / n for n in LEVELS],
+        errors,
+        2,
+        digits=12,
+        shown="on a spiral in an Amsler sector the sum by certified angles is the area, up to the "
+        "error of the midpoint rule",
+    )
+
+
+def stars_are_hamburger(
+    setting: Setting, *, largest: int = 5, equal_lengths: bool = True
+) -> Evidence:
+    """Arcs of the boundaries of m-stars and of the quadrilaterals in their sectors.
+
+    equal_lengths: whether the two quadrilaterals at a ray are equally long along it.
+    """
+    wrong = []
+    for m in range(2, largest + 1):
+        field, rays = StarField(order=m), lengths(m)
+        boundary = field.star(rays)
+        if not equal_lengths:
+            boundary[0] = (0, sp.Symbol("other", positive=True), rays[1])
+        curves = {"star": boundary, "sector": field.rectangle(1, (0, rays[1]), (0, rays[2]))}
+        for name, curve in curves.items():
+            try:
+                kinds = field.arc_families(curve)
+            except ValueError:
+                kinds = ["other"]
+            simple = len(set(curve)) == len(curve)
+            alternate = all(a != b for a, b in zip(kinds, kinds[1:] + kinds[:1], strict=True))
+            if not (alternate and printed.is_hamburger_polygon(kinds, simple)):
+                wrong.append(f"{name} of order {m}")
+    return statement(
+        not wrong,
+        shown="for m = 2 to 5 the boundaries of stars with any lengths, and of their sectors, are "
+        "u- and v-arcs in turn",
+        witness=f"not bounded by u- and v-arcs in turn: {', '.join(wrong)}",
+    )
+
+
+def agreement(setting: Setting, *, sigma_power: int = 0) -> Evidence:
+    """(eq:hazzidakis) with the area that (eq:sg-hamburger) gives to the same rectangle."""
+    residuals = {}
+    polygon = ((0, 0), (1, 0), (1, 1), (0, 1))
+    phi = polygons.unknown_angle
+    left = printed.corner_sum(phi((0, 0)), phi((0, 1)), phi((1, 1)), phi((1, 0)))
+    for sigma in SIGNS:
+        area = _signed_sum(polygons.oriented(polygon, sigma=sigma))
+        right = printed.rectangle_area(area, sigma, sigma_power=sigma_power)
+        residuals[f"sigma = {sigma}"] = sp.expand(left - right)
+    return identities(
+        setting,
+        residuals,
+        shown="the sum over the rectangle oriented by omega is sigma times the difference of "
+        "(eq:hazzidakis)",
+    )
+
+
+_UNEVEN = {
+    3: tuple(sp.pi * sp.Rational(k, 12) for k in (3, 2, 3, 4, 8, 4)),
+    4: tuple(sp.pi * sp.Rational(k, 12) for k in (2, 3, 2, 3, 4, 4, 3, 3)),
+}
+
+
+def not_smooth(setting: Setting, *, orders: str = "3,4,5", directions: int = 3) -> Evidence:
+    """Second form at the centre of a star: it would vanish along all the rays.
+
+    directions: number of distinct tangent lines along which it is to vanish; orders: of the stars.
+    """
+    slopes = sp.symbols(f"t_1:{directions + 1}", real=True)
+    conditions = sp.Matrix([[1, 2 * t, t**2] for t in slopes])
+    distinct = sp.prod(b - a for n, a in enumerate(slopes) for b in slopes[n + 1 :])
+    full = conditions.rank() == 3
+    smooth = []
+    for m in map(int, orders.split(",")):
+        for angles in (star_saddle.regular_star(m), _UNEVEN.get(m)):
+            if angles and not any(
+                star_saddle.hessian_jump(angles, i) != 0 for i in range(len(angles))
+            ):
+                smooth.append(f"the star of angles {', '.join(map(str, angles))}")
+    if not full or smooth:
+        witness = smooth or ["forms that vanish along these directions need not be 0"]
+        return statement(False, shown="", witness=f"may be C^2: {'; '.join(witness)}")
+    return identities(
+        setting,
+        {"determinant - 2 product of differences": conditions.det() - 2 * distinct},
+        shown="2m > 4 rays have at least three tangent lines; a quadratic form that vanishes on "
+        "three is 0, while K = -1; the saddles of order 3 to 5 have a jump of second derivatives",
+    )
