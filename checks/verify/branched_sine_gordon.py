@@ -210,7 +210,7 @@ def additivity(setting: Setting, *, matched: bool = True, left_out: int = 0) -> 
     The relations at branch points are not used; left_out: number of pieces that are not counted.
     """
     tilings, tried = random_tilings(
-        setting, smallest_charge=1, only_off_rays=False, wanted=8, most_faces=26
+        setting, smallest_charge=1, only_off_rays=False, wanted=8, most_faces=28
     )
     rows = []
     for tiling in tilings:

@@ -8,20 +8,24 @@ from theory.asymptotic_tiling import Tiling, star
 from theory.tiling_angles import TilingAngles
 
 WANTED = 30
-TRIED = 1000
+TRIED = 4000
 MOST_FACES = 90
 
 
-def random_tiling(rng: Random, *, only_off_rays: bool) -> Tiling:
+def random_tiling(rng: Random, *, only_off_rays: bool, most_faces: int) -> Tiling | None:
     """Star of order 2 to 6, quadrants of its blocks replaced by fans, its rim trimmed at random.
 
-    Branch points stay inside; only_off_rays: whether the curves that leave them do too.
+    Branch points stay inside; only_off_rays: whether the curves that leave them do too. None where
+    it has more than most_faces faces.
     """
     depth, longest = rng.randint(0, 2), rng.randint(2, 4)
     whole = star(rng.choice((2, 2, 3, 3, 4, 6)), rng, longest=longest, depth=depth)
+    if len(whole.faces) > most_faces * 3 // 2:
+        return None
     spare = whole.branch_rays() if only_off_rays else frozenset()
     times = rng.randint(0, len(whole.faces) // 3)
-    return whole.trimmed(rng, times, spare=spare | set(whole.branch_points))
+    tiling = whole.trimmed(rng, times, spare=spare | set(whole.branch_points))
+    return tiling if len(tiling.faces) <= most_faces else None
 
 
 def off_rays(tiling: Tiling) -> bool:
@@ -48,9 +52,10 @@ def random_tilings(
     rng = setting.random()
     found: list[Tiling] = []
     for tried in range(1, tries + 1):
-        tiling = random_tiling(rng, only_off_rays=only_off_rays)
-        suits = len(tiling.faces) <= most_faces and charge(tiling) >= smallest_charge
-        if suits and (not only_off_rays or off_rays(tiling)) and _needed(tiling, found, wanted):
+        tiling = random_tiling(rng, only_off_rays=only_off_rays, most_faces=most_faces)
+        if tiling is None or charge(tiling) < smallest_charge:
+            continue
+        if (not only_off_rays or off_rays(tiling)) and _needed(tiling, found, wanted):
             found.append(tiling)
         if len(found) == wanted:
             return found, tried
