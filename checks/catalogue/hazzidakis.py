@@ -296,11 +296,25 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="kinks along asymptotic lines",
                 run=_V + "continuous_angle",
+                part="kinks",
                 routes=(
                     "sum over the cells cut off by the kinks",
                     "sum over the rectangle",
                 ),
                 mutants=(Mutant(name="phi jumps by varying amounts", given={"jump": True}),),
+            ),
+            Check(
+                name="nowhere differentiable on the edges",
+                run=_V + "rough_angle",
+                part="nowhere differentiable",
+                routes=(
+                    "Moutard equation by half-turns on the sphere",
+                    "trapezoidal rule for the area",
+                ),
+                mutants=(
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                    Mutant(name="sums for differences", given={"sign": 1}),
+                ),
             ),
         ),
     ),
