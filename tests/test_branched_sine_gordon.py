@@ -1,7 +1,7 @@
 """Theory of the generalised sine-Gordon equation: polygons, stars, tilings with branch points."""
 
 from fractions import Fraction
-from math import pi
+from math import pi, sin, sqrt
 from random import Random
 
 import pytest
@@ -13,7 +13,14 @@ from hypothesis import strategies as st
 from checks.evidence import Setting
 from checks.verify import tilings as corpus
 from checks.verify.convergence import observed_orders
-from theory import amsler_star_area, asymptotic_polygon, painleve, soliton_rectangle
+from theory import (
+    amsler_star_area,
+    asymptotic_polygon,
+    chebyshev_sector,
+    painleve,
+    rough_front,
+    soliton_rectangle,
+)
 from theory.asymptotic_tiling import Tiling, star
 from theory.star_field import StarField, lengths
 from theory.tiling_angles import PI, TilingAngles, added, scaled
@@ -44,6 +51,48 @@ def test_the_midpoint_rule_is_of_order_two():
     ]
     orders = observed_orders([1 / n for n in levels], errors)
     assert all(1.9 < order < 2.1 for order in orders)
+
+
+def test_the_turning_of_a_rough_edge_has_no_difference_quotient():
+    quotients = [abs(rough_front.turning(4.0**-k, 1.0)) * 4**k for k in range(2, 8)]
+    assert quotients[-1] > 4 * quotients[0]
+    assert rough_front.turning(0.0, 1.0) == 0
+
+
+def test_edges_have_unit_speed_and_the_net_keeps_it():
+    cells, length = 16, 0.8
+    grid = rough_front.normals(cells, length, 1.2)
+    for i in range(cells):
+        for j in range(cells + 1):
+            a, b = grid[i][j], grid[i + 1][j]
+            chord = sqrt(sum((x - y) ** 2 for x, y in zip(a, b, strict=True)))
+            assert sum(x * x for x in a) == pytest.approx(1, abs=1e-12)
+            first = 2 * sin(length / cells / 2)
+            assert chord == pytest.approx(first, rel=0.02)  # an edge is no great circle
+            if j:
+                start = grid[i][0], grid[i + 1][0]
+                other = sqrt(sum((x - y) ** 2 for x, y in zip(*start, strict=True)))
+                assert chord == pytest.approx(other, abs=1e-12)  # opposite sides are equal
+
+
+def test_the_corner_of_a_chebyshev_net_tends_to_the_angle_of_the_sector():
+    exact = float(painleve.angle(lambda: arb.pi() / 3, 1).ball())
+    levels = (16, 32, 64, 128)
+    errors = [chebyshev_sector.far_angle(pi / 3, 0.5, n) - exact for n in levels]
+    orders = observed_orders([1 / n for n in levels], errors)
+    assert all(0.9 < order < 1.1 for order in orders)
+
+
+def test_half_turns_keep_the_sides_and_the_hyperboloid():
+    columns = chebyshev_sector.net(1.0, 0.6, 6)
+    product = chebyshev_sector.product
+    for i in range(6):
+        for j in range(6):
+            p, q, r = columns[i][j], columns[i + 1][j], columns[i][j + 1]
+            s = columns[i + 1][j + 1]
+            assert product(s, s) == pytest.approx(-1, abs=1e-12)
+            assert product(q, s) == pytest.approx(product(p, r), abs=1e-12)
+            assert product(r, s) == pytest.approx(product(p, q), abs=1e-12)
 
 
 def test_a_long_strip_of_the_pseudosphere_has_nearly_the_area_pi():

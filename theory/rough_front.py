@@ -19,9 +19,8 @@ FINE = 32
 
 def turning(t: float, phase: float) -> float:
     """Weierstrass function sum of 2^-k cos(4^k t + k phase), times the amplitude, 0 at t = 0."""
-    return AMPLITUDE * sum(
-        (cos(4**k * t + k * phase) - cos(k * phase)) / 2**k for k in range(TERMS)
-    )
+    terms = ((cos(4**k * t + k * phase) - cos(k * phase)) / 2.0**k for k in range(TERMS))
+    return AMPLITUDE * sum(terms)
 
 
 def edge(cells: int, length: float, phase: float, direction: float) -> list[Point]:
