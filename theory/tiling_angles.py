@@ -7,7 +7,9 @@ corner where the boundary of its face goes on along a u-arc and - where it goes 
 * phi changes by as much along a side seen from both its faces: the geodesic curvature is one;
 * at an interior point with 2m faces the angles of the faces, phi where + and pi - phi where -, add
   up to 2 pi;
-* phi is continuous at boundary vertices on no asymptotic curve that leaves a branch point.
+* phi is continuous at reflex corners of the boundary on no curve that leaves a branch point.
+
+Anywhere else it may jump across a line, as it does on curves that leave branch points outside.
 
 A relation that raises the rank of these is not implied by them.
 """
@@ -45,11 +47,13 @@ def scaled(factor: int, relation: Relation) -> dict[Any, int]:
 class TilingAngles:
     """Linear relations of the surfaces over a tiling.
 
-    matched: whether the two faces at a side agree on its geodesic curvature.
+    matched: whether the two faces at a side agree on its geodesic curvature; continuous: whether
+    the last relations are used.
     """
 
     tiling: Tiling
     matched: bool = True
+    continuous: bool = True
 
     @cached_property
     def corners(self) -> dict[Vertex, list[tuple[int, int]]]:
@@ -134,10 +138,10 @@ class TilingAngles:
                 yield added(self.fan_sum(vertex), {PI: order - 2})
 
     def continuity_relations(self) -> Iterable[dict[Any, int]]:
-        """Equal limits of phi at the boundary vertices off the branch rays."""
+        """Equal limits of phi at the reflex corners of the boundary off the branch rays."""
         on_rays = self.tiling.branch_rays() | set(self.tiling.branch_points)
         for vertex in self.tiling.rim:
-            if vertex not in on_rays:
+            if self.continuous and self.tiling.degrees[vertex] > 2 and vertex not in on_rays:
                 first, *others = self.corners[vertex]
                 for other in others:
                     yield {first: 1, other: -1}

@@ -87,9 +87,10 @@ CLAIMS: tuple[Claim, ...] = (
                 "polygon"
             ),
             corrected=(
-                r"no branch point lies on the boundary, and no vertex with three quadrants inside "
-                r"$\Gamma$ on an asymptotic curve that leaves a branch point in $\Gamma$; else "
-                r"$\varphi(q_n)$ is the limit from the middle one of the three quadrants"
+                r"no branch point lies on the boundary, and $\varphi$ is continuous at each vertex "
+                r"with three quadrants inside $\Gamma$: none lies on an asymptotic curve that "
+                r"leaves a branch point; else $\varphi(q_n)$ is the limit from the middle one of "
+                "the three quadrants"
             ),
             kind="hypothesis",
             witness=(
@@ -123,7 +124,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             (
                 r"(used, not stated) no branch point lies on $\gamma$, and none of the $q_n$ with "
-                r"three quadrants in $\Gamma$ lies on a curve from a branch point in $\Gamma$"
+                r"three quadrants in $\Gamma$ lies on a curve that leaves a branch point"
             ),
         ),
         rests_on=("thm:sg-branched",),
@@ -137,6 +138,7 @@ CLAIMS: tuple[Claim, ...] = (
                     "the printed rule",
                 ),
                 mutants=(
+                    Mutant(name="phi jumps at reflex corners", given={"continuous": False}),
                     Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
                     Mutant(name="opposite charge", given={"sign": 1}),
                     Mutant(name="area times 1.01", given={"area_percent": 101}, near=True),

@@ -42,11 +42,12 @@ def sum_rule(
     sign: int = -1,
     area_percent: int = 100,
     matched: bool = True,
+    continuous: bool = True,
 ) -> Evidence:
     """(sg-global) as a consequence of what every surface over a random tiling satisfies.
 
     only_off_rays: whether corners on curves that leave a branch point inside are excluded; choice:
-    of phi at a corner with several limits; matched: see theory.tiling_angles.
+    of phi at a corner with several limits; matched, continuous: see theory.tiling_angles.
     """
     tilings, tried = random_tilings(setting, only_off_rays=only_off_rays)
     rows = (
@@ -57,7 +58,7 @@ def sum_rule(
                 _rule(angles, choice=choice, regular=regular, sign=sign, area_percent=area_percent)
             ),
         )
-        for angles in over(tilings, matched=matched)
+        for angles in over(tilings, matched=matched, continuous=continuous)
     )
     return implied(
         rows,
@@ -72,8 +73,15 @@ def sum_rule(
 def limits_on_rays(
     setting: Setting, *, choice: str = "middle", regular: int = 2, matched: bool = True
 ) -> Evidence:
-    """(sg-global) with corners anywhere, phi there the limit from the middle quadrant inside."""
-    return sum_rule(setting, only_off_rays=False, choice=choice, regular=regular, matched=matched)
+    """(sg-global) with corners and jumps anywhere, phi taken from the middle quadrant inside."""
+    return sum_rule(
+        setting,
+        only_off_rays=False,
+        choice=choice,
+        regular=regular,
+        matched=matched,
+        continuous=False,
+    )
 
 
 def boundary_fan(setting: Setting, *, count: int = 4, regular: int = 2) -> Evidence:

@@ -106,7 +106,7 @@ def implied(rows: Iterable[Claimed], *, tried: int, met: int, what: str, shown: 
     return Evidence(outcome="pass", grade="exact", residual="0", tried=tried, met=met, shown=shown)
 
 
-def over(tilings: Iterable[Tiling], *, matched: bool) -> Iterator[TilingAngles]:
+def over(tilings: Iterable[Tiling], *, matched: bool, continuous: bool) -> Iterator[TilingAngles]:
     """Relations of the surfaces over each tiling."""
     for tiling in tilings:
-        yield TilingAngles(tiling=tiling, matched=matched)
+        yield TilingAngles(tiling=tiling, matched=matched, continuous=continuous)
