@@ -1,8 +1,10 @@
 """Claims of section 3.5, the sine-Gordon equation with branch points."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
-_THEOREM: tuple[Claim, ...] = (
+_TILINGS = "checks.verify.branched_sine_gordon:"
+
+CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="thm:sg-branched",
         section="3.5",
@@ -26,11 +28,6 @@ _THEOREM: tuple[Claim, ...] = (
                 r"q_{2j-1}$"
             ),
             r"$q_0$ is the initial vertex of a $u$-arc with respect to the orientation $\omega$",
-            r"(used, not stated) no branch point lies on $\gamma$",
-            (
-                r"(used, not stated) no vertex $q_n$ lies on an asymptotic curve incident on a "
-                r"branch point, or $\varphi(q_n)$ is the limit from within $\Gamma$"
-            ),
         ),
         rests_on=(
             "eq:hazzidakis",
@@ -39,6 +36,75 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.additivity",
             "3.5.angle-in-the-theorem",
             "def:branched_immersion",
+        ),
+        checks=(
+            Check(
+                name="all Hamburger polygons",
+                run=_TILINGS + "theorem",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),),
+            ),
+            Check(
+                name="no branch point on the polygon, no corner on their curves",
+                run=_TILINGS + "theorem",
+                form="corrected",
+                given={"on_boundary": False, "only_off_rays": True},
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="branch points on the polygon", given={"on_boundary": True}),
+                    Mutant(name="corners on the curves", given={"only_off_rays": False}),
+                ),
+            ),
+            Check(
+                name="limit from the middle quadrant",
+                run=_TILINGS + "limits_on_rays",
+                form="support",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="limit from the first quadrant", given={"choice": "first"}),
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"(sg-global) for every domain with compact closure whose boundary is a Hamburger "
+                "polygon"
+            ),
+            corrected=(
+                r"no branch point lies on the boundary, and $\varphi$ is continuous at each vertex "
+                r"with three quadrants inside $\Gamma$: none lies on an asymptotic curve that "
+                r"leaves a branch point; else $\varphi(q_n)$ is the limit from the middle one of "
+                "the three quadrants"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"four of the six sectors of a small star with $m = 3$, equal angles: the branch "
+                r"point is on the boundary, between two $u$-arcs, and the six vertices give "
+                r"$-\frac\pi3 + \frac\pi3 - \frac{2\pi}3 + \frac\pi3 - \frac{2\pi}3 + \frac{2\pi}3 "
+                r"= -\frac\pi3$, neither $0$ nor $-\pi$. With an inner vertex on a curve from the "
+                r"branch point $\varphi$ has two limits there, $\frac\pi3$ and $\frac{2\pi}3$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "the hypotheses are generic: a small change of the polygon restores them; vertices "
+                "with one quadrant inside may lie anywhere"
+            ),
         ),
     ),
     Claim(
@@ -57,11 +123,29 @@ _THEOREM: tuple[Claim, ...] = (
                 r"by $\omega$, starting at the initial vertex of a $u$-arc"
             ),
             (
-                r"(used, not stated) no branch point lies on $\gamma$, and $\varphi$ is defined at "
-                r"each $q_n$"
+                r"(used, not stated) no branch point lies on $\gamma$, and none of the $q_n$ with "
+                r"three quadrants in $\Gamma$ lies on a curve that leaves a branch point"
             ),
         ),
         rests_on=("thm:sg-branched",),
+        checks=(
+            Check(
+                name="random tilings",
+                run=_TILINGS + "sum_rule",
+                tier="full",
+                routes=(
+                    "exact ranks of the relations between angles on random tilings",
+                    "the printed rule",
+                ),
+                mutants=(
+                    Mutant(name="phi jumps at reflex corners", given={"continuous": False}),
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="area times 1.01", given={"area_percent": 101}, near=True),
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.5.angle-in-the-theorem",
@@ -76,6 +160,17 @@ _THEOREM: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) $\|\partial_u r\| = \|\partial_v r\| = 1$",),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="one angle",
+                run=_TILINGS + "one_angle",
+                routes=(
+                    "Gauss-Weingarten and explicit surfaces",
+                    "the printed conditions",
+                ),
+                mutants=(Mutant(name="no sigma in the cosine", given={"cosine_power": 0}),),
+            ),
+        ),
     ),
     Claim(
         id="3.5.decomposition",
@@ -90,11 +185,30 @@ _THEOREM: tuple[Claim, ...] = (
         hypotheses=(
             r"$\overline\Gamma$ is compact and contains finitely many branch points",
             r"(used, not stated) no branch point lies on $\partial\Gamma$",
+            (
+                r"(used, not stated) the asymptotic curves through branch points and vertices cut "
+                r"$\Gamma$ into finitely many rectangles"
+            ),
         ),
         rests_on=(
             "defn:quad",
             "def:m-star",
             "3.5.stars-are-hamburger-polygons",
+        ),
+        checks=(
+            Check(
+                name="random tilings",
+                run=_TILINGS + "decomposition",
+                tier="full",
+                routes=(
+                    "stars round the branch points",
+                    "single rectangles",
+                ),
+                mutants=(
+                    Mutant(name="no refinement", given={"refine": False}),
+                    Mutant(name="stars of m rectangles", given={"per_order": 1}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -108,6 +222,7 @@ _THEOREM: tuple[Claim, ...] = (
             r"A(\Gamma_j)$."
         ),
         hypotheses=(
+            "(a misprint) $M$ is $N$, the number of pieces",
             (
                 r"(used, not stated) $\oint\alpha$ along an edge common to two pieces takes the "
                 r"same value from both sides, also across a jump of $\varphi$"
@@ -122,168 +237,20 @@ _THEOREM: tuple[Claim, ...] = (
             "3.5.vertex-signs",
             "3.5.angle-derivatives-match",
         ),
-    ),
-    Claim(
-        id="rmk:distributed",
-        section="3.5",
-        where="remark (rmk:distributed), line 984",
-        kind="remark",
-        statement=(
-            r"Since $\varphi \equiv \frac\pi2$ is impossible, low energy needs branch points "
-            r"distributed over $\Omega$ so that $A(\Gamma)$ and $\sum_{p_i\in\Gamma} (m_i-2)\pi$ "
-            r"nearly cancel for every Hamburger polygon that is not small."
-        ),
-        labels=("rmk:distributed",),
-        hypotheses=(r"the energy is the Willmore or the $W^{2,\infty}$ energy",),
-        rests_on=(
-            "sg-global",
-            "3.5.right-angle-optimal",
-            "3.5.right-angle-impossible",
-            "3.5.one-branch-point-per-area-pi",
-        ),
-        waits_for=("5",),
-    ),
-    Claim(
-        id="3.5.principal-curvatures",
-        section="3.5",
-        where="remark (rmk:distributed), line 985",
-        kind="equation",
-        statement=(
-            r"The principal curvatures are $\kappa_1 = \tan\frac\varphi2$ and $\kappa_2 = "
-            r"-\cot\frac\varphi2$."
-        ),
-        hypotheses=(
-            r"$0 < \varphi < \pi$, for both signs of $\sigma$",
-            (
-                r"(used, not stated) the sign convention of the second fundamental form with "
-                r"respect to $N^\omega$: the other one gives $\cot\frac\varphi2$ and "
-                r"$-\tan\frac\varphi2$"
+        checks=(
+            Check(
+                name="random tilings",
+                run=_TILINGS + "additivity",
+                tier="full",
+                routes=(
+                    "sums over the pieces",
+                    "sum over the boundary",
+                ),
+                mutants=(
+                    Mutant(name="curvature of the rays not matched", given={"matched": False}),
+                    Mutant(name="one piece left out", given={"left_out": 1}, near=True),
+                ),
             ),
         ),
-        rests_on=("eq:metrics",),
-    ),
-    Claim(
-        id="3.5.curvature-product",
-        section="3.5",
-        where="remark (rmk:distributed), line 985",
-        kind="equation",
-        statement=r"$\kappa_1\kappa_2 = -1$.",
-        hypotheses=(r"$0 < \varphi < \pi$",),
-        rests_on=("3.5.principal-curvatures",),
-    ),
-    Claim(
-        id="3.5.willmore-density",
-        section="3.5",
-        where="remark (rmk:distributed), line 985",
-        kind="definition",
-        statement=(
-            r"The Willmore energy has the density $\kappa_1^2 + \kappa_2^2 = \tan^2\frac\varphi2 + "
-            r"\cot^2\frac\varphi2$."
-        ),
-        rests_on=("3.5.principal-curvatures",),
-    ),
-    Claim(
-        id="3.5.max-curvature-energy",
-        section="3.5",
-        where="remark (rmk:distributed), line 985",
-        kind="definition",
-        statement=(
-            r"The $W^{2,\infty}$ energy is $\sup_{x\in\Omega}\max(|\kappa_1(x)|,|\kappa_2(x)|) = "
-            r"\sup_\Omega\max(\tan\frac\varphi2,\cot\frac\varphi2)$."
-        ),
-        hypotheses=(r"(used, not stated) the supremum is essential: $r$ is $C^{1,1}$ only",),
-        rests_on=("3.5.principal-curvatures",),
-    ),
-    Claim(
-        id="3.5.right-angle-optimal",
-        section="3.5",
-        where="remark (rmk:distributed), line 985",
-        kind="sentence",
-        statement=(
-            r"Both $\kappa_1^2+\kappa_2^2$ and $\max(|\kappa_1|,|\kappa_2|)$ are least at $\varphi "
-            r"= \frac\pi2$ and only there, so both energies ask for $\varphi \approx \frac\pi2$ "
-            r"everywhere."
-        ),
-        hypotheses=(r"$0 < \varphi < \pi$",),
-        rests_on=(
-            "3.5.willmore-density",
-            "3.5.max-curvature-energy",
-        ),
-    ),
-    Claim(
-        id="3.5.right-angle-sum-vanishes",
-        section="3.5",
-        where="remark (rmk:distributed), line 987",
-        kind="sentence",
-        statement=(
-            r"If $\varphi \equiv \frac\pi2$, the left side of (sg-global) is zero, a Hamburger "
-            r"polygon having as many vertices of sign $+$ as of sign $-$."
-        ),
-        hypotheses=(r"$\varphi = \frac\pi2$ at every vertex",),
-        rests_on=(
-            "sg-global",
-            "3.5.hamburger-polygon",
-        ),
-    ),
-    Claim(
-        id="3.5.right-side-of-two-signs",
-        section="3.5",
-        where="remark (rmk:distributed), line 987",
-        kind="sentence",
-        statement=(
-            r"The right side of (sg-global) is the difference of two positive quantities, "
-            r"$A(\Gamma)$, which varies continuously with $\Gamma$, and $\sum_{p_i\in\Gamma} "
-            r"(m_i-2)\pi$, a multiple of $\pi$."
-        ),
-        hypotheses=(
-            (
-                r"(used, not stated) $\Gamma$ contains a branch point; otherwise the second "
-                r"quantity is $0$"
-            ),
-        ),
-        rests_on=("sg-global",),
-    ),
-    Claim(
-        id="3.5.right-angle-impossible",
-        section="3.5",
-        where="remark (rmk:distributed), line 987",
-        kind="sentence",
-        statement=(
-            r"No branched pseudospherical immersion has $\varphi \equiv \frac\pi2$ on an open set."
-        ),
-        hypotheses=(r"finitely many branch points, isolated",),
-        rests_on=(
-            "3.5.right-angle-sum-vanishes",
-            "3.5.right-side-of-two-signs",
-        ),
-    ),
-    Claim(
-        id="3.5.one-branch-point-per-area-pi",
-        section="3.5",
-        where="remark (rmk:distributed), line 987",
-        kind="number",
-        statement=(
-            r"Cancellation in (sg-global) asks for one branch point with $m = 3$ per area $\pi$ on "
-            r"average: $A(\Gamma) = \sum_{p_i\in\Gamma} (m_i-2)\pi$."
-        ),
-        hypotheses=(
-            r"all branch points have $m = 3$",
-            r"$\varphi \approx \frac\pi2$ at the vertices",
-        ),
-        rests_on=("sg-global",),
-    ),
-    Claim(
-        id="3.5.extra-undulation",
-        section="3.5",
-        where="remark (rmk:distributed), line 987",
-        kind="sentence",
-        statement=(
-            r"Each branch point with $m = 3$ adds one undulation to the surface, which persists "
-            r"from the branch point to the boundary."
-        ),
-        hypotheses=(r"$m = 3$: the excess over a regular saddle is $m-2 = 1$",),
-        rests_on=("def:m-saddle",),
     ),
 )
-
-CLAIMS: tuple[Claim, ...] = _THEOREM
