@@ -67,7 +67,7 @@ def attachments(s: Sizes, **changes: Any) -> dict[str, tuple[Segment, Segment]]:
     return found
 
 
-def trisecting(t_u: Vector, t_v: Vector, *, weight: int = 2) -> tuple[Vector, Vector]:
+def trisecting(t_u: Vector, t_v: Vector, *, weight: Any = 2) -> tuple[Vector, Vector]:
     """Vectors whose directions are e_u and e_v of the middle sector, before normalisation."""
     return added(scaled(weight, t_v), t_u), added(scaled(weight, t_u), t_v)
 
@@ -85,9 +85,3 @@ def straight_normal_v(cosine: Any, sine: Any, n: Vector, e_v: Vector, *, sign: i
 def straight_normal_u(cosine: Any, sine: Any, n: Vector, e_u: Vector, *, sign: int = 1) -> Vector:
     """Normal along the edge v = 0 of an Amsler sector, (amsler-frame)."""
     return added(scaled(cosine, n), scaled(sign * sine, cross(n, e_u)))
-
-
-def composition(s: Sizes, *, outer: str = "Omega_1", map_index: int = 1) -> tuple[str, str]:
-    """Domain on which the outer function of N_1 o chi_1 is given, and that of the map's values."""
-    _, _, chi = attaching_maps(s, fourth=2)[f"chi_{map_index}"]
-    return outer, chi(Fraction(0))[0]

@@ -124,6 +124,11 @@ def _complex(s: Sizes, names: tuple[str, ...], **changes: Any) -> tuple[list[str
     return found or quad_complex.defects(quads), quads
 
 
+def glued(s: Sizes) -> tuple[list[str], list[Any]]:
+    """Defects and quads of the complex with chi_4 landing in Omega_2."""
+    return _complex(s, ("chi_1", "chi_2", "chi_3", "chi_4"), fourth=2)
+
+
 def attaching(
     setting: Setting,
     *,
@@ -194,17 +199,16 @@ def rays(setting: Setting, *, number: int = 6, sectors: int = 3) -> Evidence:
     start = next(quad for quad in grid if quad[0] == (2, 1))
     cut = replaced(grid, start, (2, 1), sectors=sectors)
     on_grid = quad_complex.interior_degrees(cut)[2, 1]
-    glued = set()
+    found = {on_grid}
     for s in samples(setting):
-        _, quads = _complex(s, ("chi_1", "chi_2", "chi_3", "chi_4"), fourth=2)
-        glued.add(quad_complex.interior_degrees(quads)[branch_place(s)])
-    found = {on_grid} | glued
+        _, quads = glued(s)
+        found.add(quad_complex.interior_degrees(quads)[branch_place(s)])
     return statement(
         found == {number},
         shown="six edges meet at (u*, v*), u- and v-edges in turn, in the complex of the "
         "attaching maps and after surgery on a grid, where four met before",
-        witness=f"{on_grid} edges meet after surgery on a grid with {sectors} new sectors, "
-        f"{sorted(glued)} in the glued complex; {number} were stated",
+        witness=f"{on_grid} edges meet after surgery on a grid with {sectors} new sectors; on the "
+        f"grid and in the glued complex together {sorted(found)}, not {number} alone",
     )
 
 
