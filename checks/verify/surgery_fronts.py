@@ -214,13 +214,48 @@ def _along(a: Vector) -> Vector:
     return (x, y, z)
 
 
+def _edge_angle(setting: Setting, end: sp.Rational) -> Evidence:
+    """Angle of Omega_1 at the end of its inherited edge, for a right angle at the point.
+
+    It changes along the edge as the angle of r_0 does, kappa_u being -phi_u for both; end: tangent
+    of half the angle of r_0 at the end of the edge, 1 at the point.
+    """
+    bends = {
+        f"kappa_u + phi_u, sigma = {net.sigma:+d}": net.geodesic_curvature("u")
+        + net.angle_rate("u")
+        for net in general_nets()
+    }
+    _, e_v = printed.trisecting((1, 0, 0), (0, 1, 0))
+    outer = sp.Rational(e_v[1], e_v[0])
+    lost = (1 - end**2) / (2 * end)
+    return combined(
+        {
+            "same change": identities(setting, bends, shown="kappa_u = -phi_u"),
+            "at the end": statement(
+                bool(outer > lost),
+                shown="positive",
+                witness=f"t_u and t_v at a right angle, an edge along which the angle of r_0 falls "
+                f"to 2 atan({end}), by atan({lost}): the angle of r_1 starts with atan({outer}) "
+                "and reaches 0 before the end, N_u x N_v vanishes there",
+            ),
+        },
+        shown="N_u x N_v is not 0 on the edge",
+    )
+
+
 def immersed(
-    setting: Setting, *, order: str = "u,v,u,v", transversal: bool = True, sign: int = -1
+    setting: Setting,
+    *,
+    order: str = "u,v,u,v",
+    transversal: bool = True,
+    sign: int = -1,
+    edge_end: str = "3/4",
 ) -> Evidence:
     """K = -1, sectors side by side, and a Lipschitz normal, where N_u x N_v is not 0.
 
     order: families of the rays t_u, e_v, e_u, t_v as the angle grows; transversal: whether t_u and
-    t_v are not parallel; sign: of N_u x N_v = sign r_u x r_v.
+    t_v are not parallel; sign: of N_u x N_v = sign r_u x r_v; edge_end: where an inherited edge
+    ends, so that N_u x N_v does or does not vanish on it.
     """
     normal = fronts.generic_normal()
     n_u, n_v = derivative(normal, U), derivative(normal, V)
@@ -239,7 +274,11 @@ def immersed(
     rays = (t_u, *between, t_v)
     sines = {f"sector {k}": cross(rays[k - 1], rays[k])[2] for k in (1, 2, 3)}
     return combined(
-        {"curvature": gauss, "sectors": positivity(setting, sines, shown="no overlap")},
+        {
+            "curvature": gauss,
+            "sectors": positivity(setting, sines, shown="no overlap"),
+            "edge": _edge_angle(setting, sp.Rational(edge_end)),
+        },
         shown="K = -1 for every front; at the point the three sectors follow one another within "
         "the angle cut out, with r_u x r_v.N of signs +, -, +: no two overlap, and N, continuous "
         "and C^1 on closed faces, is Lipschitz",

@@ -69,12 +69,14 @@ def lemma(
     sectors: int = 3,
     order: int = 3,
     interior: bool = True,
+    harmonic: bool = True,
     ray: str = "1",
 ) -> Evidence:
     """Existence: a complex, fronts on its faces that agree on edges, and a branch point.
 
     fourth: where chi_4 lands; sectors: how many replace the one cut out; order: of the branch
-    point; interior: whether (u*, v*) is inside Omega_0 or on its edge; ray: length of the new rays.
+    point; interior: whether (u*, v*) is inside Omega_0 or on its edge;
+    harmonic: whether N_uv is parallel to N; ray: length of the new rays.
     """
     return combined(
         {
@@ -82,7 +84,7 @@ def lemma(
             "lengths": _rays_have_length(Fraction(ray)),
             "point": _interior(sectors, order, (2, 1) if interior else (0, 1)),
             "index": _index(sectors, order),
-            "harmonic": conserved_speeds(setting),
+            "harmonic": conserved_speeds(setting, harmonic=harmonic),
             "side": series.side_sector(setting),
             "middle": series.middle_sector(setting),
             "opposite side": series.opposite_side_sector(setting),
