@@ -12,7 +12,6 @@ from typing import Any
 import sympy as sp
 
 from theory.amsler import C0, S0, U, V
-from theory.amsler import goursat_series as angle_series
 from theory.moutard import ZERO, Series, goursat_series
 from theory.vectors import Vector, added, cross, dot, scaled
 
@@ -110,7 +109,7 @@ def angle_cosine(kappa_u: Sequence[Any], kappa_v: Sequence[Any], *, order: int) 
     """
     on_u = -sum(k * U ** (n + 1) / (n + 1) for n, k in enumerate(kappa_u))
     on_v = sum(k * V ** (n + 1) / (n + 1) for n, k in enumerate(kappa_v))
-    psi = _angle(on_u, on_v, order)
+    psi = _picard(on_u + on_v, order)
     cosine, sine, power = sp.Integer(1), sp.Integer(0), sp.Integer(1)
     for n in range(1, 2 * order + 1):
         power = _truncated(sp.expand(power * psi) / n, order)
@@ -121,17 +120,11 @@ def angle_cosine(kappa_u: Sequence[Any], kappa_v: Sequence[Any], *, order: int) 
     return sp.expand(C0 * cosine - S0 * sine)
 
 
-def _angle(on_u: Any, on_v: Any, order: int) -> Any:
-    """Goursat series of the angle, whose data may hold symbols: by linearity of the ring's use."""
-    known = {U, V}
-    symbols = sorted((sp.sympify(on_u + on_v).free_symbols - known), key=str)
-    if not symbols:
-        return angle_series(order, on_u, on_v)
-    return _picard(sp.sympify(on_u + on_v), order)
-
-
 def _picard(data: Any, order: int) -> Any:
-    """Picard iterates of omega - omega_0 = data + integral of sin omega, to the degree kept."""
+    """Picard iterates of omega - omega_0 = data + integral of sin omega, to the degree kept.
+
+    theory.amsler has the same problem for numerical data; these hold symbols.
+    """
     psi = data
     for _ in range(order):
         sine, power = S0, sp.Integer(1)

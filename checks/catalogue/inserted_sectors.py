@@ -8,7 +8,7 @@ _TRISECTION = "checks.verify.trisection:"
 _CONVERGENCE = "checks.verify.surgery_convergence:"
 _SERIES = "theory.surgery_sectors (Moutard equation, Taylor series)"
 _FRENET = "Frenet-Serret along the edges"
-_ANGLE_SERIES = "theory.surgery_sectors:angle_cosine (sine-Gordon equation)"
+_ANGLE_SERIES = "theory.surgery_sectors:angle_cosine"
 _GRIDS = "theory.goursat_float (Moutard equation, Lelieuvre sums)"
 _ANGLES = "sine-Gordon equation for the angle; closed form of the pseudosphere"
 

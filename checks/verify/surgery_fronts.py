@@ -280,8 +280,8 @@ def immersed(
             "edge": _edge_angle(setting, sp.Rational(edge_end)),
         },
         shown="K = -1 for every front; at the point the three sectors follow one another within "
-        "the angle cut out, with r_u x r_v.N of signs +, -, +: no two overlap, and N, continuous "
-        "and C^1 on closed faces, is Lipschitz",
+        "the angle cut out, with r_u x r_v.N of alternating signs: no two overlap, and N, "
+        "continuous and C^1 on closed faces, is Lipschitz",
     )
 
 

@@ -96,9 +96,12 @@ def approximate(
                 setting,
                 {
                     "d(error)/da": sp.Rational(1, 3) - slope
-                    - sp.Rational(2, 3) * (1 - sp.cos(angle)) / (5 + 4 * sp.cos(angle))
+                    - sp.Rational(2, 3) * (1 - sp.cos(angle)) / (5 + 4 * sp.cos(angle)),
+                    # An outer part is concave: its share of the angle falls all the way.
+                    "second derivative": sp.diff(slope, angle)
+                    + 6 * sp.sin(angle) / (5 + 4 * sp.cos(angle)) ** 2,
                 },
-                shown="rises",
+                shown="the error rises, the share of an outer part falls",
             ),
             "comparable": statement(
                 bool(sp.simplify(ratio) <= 0),
