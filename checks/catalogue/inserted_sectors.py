@@ -1,6 +1,16 @@
 """Claims of section 3.4 on the three sectors that surgery inserts."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_SECTORS = "checks.verify.surgery_sectors:"
+_FRONTS = "checks.verify.surgery_fronts:"
+_TRISECTION = "checks.verify.trisection:"
+_CONVERGENCE = "checks.verify.surgery_convergence:"
+_SERIES = "theory.surgery_sectors (Moutard equation, Taylor series)"
+_FRENET = "Frenet-Serret along the edges"
+_ANGLE_SERIES = "theory.surgery_sectors:angle_cosine"
+_GRIDS = "theory.goursat_float (Moutard equation, Lelieuvre sums)"
+_ANGLES = "sine-Gordon equation for the angle; closed form of the pseudosphere"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -31,6 +41,40 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:lelieuvre",
             "3.4.trisection-vectors",
         ),
+        checks=(
+            Check(
+                name="series",
+                run=_SECTORS + "middle_sector",
+                part="series",
+                routes=(
+                    _SERIES,
+                    "theory.amsler:similarity_series",
+                ),
+                mutants=(
+                    Mutant(name="other sign along u", given={"sign_u": -1}),
+                    Mutant(name="other sign along v", given={"sign_v": 1}),
+                    Mutant(name="e_u not perpendicular to n", given={"tilt": 1}),
+                    Mutant(name="e_u of length 2", given={"length": 2}),
+                    Mutant(name="r_2 starts elsewhere", given={"start": False}),
+                ),
+            ),
+            Check(
+                name="whole surgery on grids",
+                run=_CONVERGENCE + "whole_surgery",
+                part="solution",
+                tier="full",
+                routes=(
+                    _GRIDS,
+                    _ANGLES,
+                ),
+                mutants=(
+                    Mutant(name="sine-Gordon equation 1 % off", given={"rate": "0.99"}, near=True),
+                    Mutant(name="v-axis of Omega_1 from Omega_3", given={"fourth": 3}),
+                    Mutant(name="e_u and e_v exchanged", given={"swapped": True}),
+                    Mutant(name="order 3", given={"expected": 3}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.trisection-vectors",
@@ -45,13 +89,26 @@ CLAIMS: tuple[Claim, ...] = (
             r"the order $\mathbf t_u, \mathbf e_v^{(1)}, \mathbf e_u^{(1)}, \mathbf t_v$ within "
             r"the angle cut out, so that $u$- and $v$-directions alternate."
         ),
-        hypotheses=(
-            r"(used, not stated) $\|\mathbf t_u\| = \|\mathbf t_v\| = 1$",
-            r"(used, not stated) $\mathbf t_u$ and $\mathbf t_v$ are not parallel",
-        ),
+        hypotheses=(r"(used, not stated) $\mathbf t_u$ and $\mathbf t_v$ are not parallel",),
         rests_on=(
             "3.4.data-at-the-point",
             "amsler-frame",
+        ),
+        checks=(
+            Check(
+                name="unit, tangent, in order",
+                run=_TRISECTION + "vectors",
+                routes=(
+                    "printed vectors",
+                    "half-angle of t_v",
+                ),
+                mutants=(
+                    Mutant(name="weight 1", given={"weight": "1"}, near=True),
+                    Mutant(name="weight -2", given={"weight": "-2"}),
+                    Mutant(name="divided by the square of the norm", given={"by": 2}),
+                    Mutant(name="t_u and t_v opposite", given={"parallel": True}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -65,12 +122,48 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(
             (
-                r"(used, not stated) the angle is not near $\pi$: the error relative to a third of "
-                r"the angle $\theta$ is $O(\theta^2)$, and the outer parts shrink to $0$ as "
-                r"$\theta \to \pi$"
+                r"(used, not stated) the angle $\theta$ is not near $\pi$: the outer parts are "
+                r"$\theta/3 - \theta^3/81 + \dots$ and shrink to $0$ as $\theta \to \pi$"
             ),
+            r"(used, not stated) $\|\mathbf t_u\| = \|\mathbf t_v\|$, as for arc lengths $u, v$",
         ),
         rests_on=("3.4.trisection-vectors",),
+        checks=(
+            Check(
+                name="first term, growth, comparability",
+                run=_TRISECTION + "approximate",
+                routes=(
+                    "arc tangent of the printed vector",
+                    "its Taylor series and derivative",
+                ),
+                mutants=(
+                    Mutant(name="weight 3", given={"weight": "3"}),
+                    Mutant(name="weight 1.98", given={"weight": "99/50"}, near=True),
+                    Mutant(name="error of fourth order", given={"vanishing": 4}, near=True),
+                    Mutant(name="angles up to pi", given={"largest": "1"}),
+                    Mutant(name="angles up to 101 pi/150", given={"largest": "101/150"}, near=True),
+                ),
+            ),
+            Check(
+                name="whole range",
+                run=_TRISECTION + "whole_range",
+                form="support",
+                routes=(
+                    "balls through the half-angle",
+                    "printed vector",
+                ),
+                mutants=(
+                    Mutant(name="least bound pi 101/300", given={"limit": "101/300"}, near=True),
+                    Mutant(name="least bound pi 33/100", given={"limit": "33/100"}, near=True),
+                    Mutant(
+                        name="outer part atan 0.505 at a right angle",
+                        given={"at_right_angle": "101/200"},
+                        near=True,
+                    ),
+                    Mutant(name="weight 3", given={"weight": 3}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.data-on-two-axes-suffice",
@@ -87,6 +180,47 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) the data are $C^1$ with nowhere vanishing derivative",
         ),
         rests_on=("eq:moutard",),
+        checks=(
+            Check(
+                name="coefficients",
+                run=_SECTORS + "two_axes",
+                routes=(
+                    "symbols in the coefficients of the Moutard equation",
+                    "data on the axes",
+                ),
+                mutants=(
+                    Mutant(name="data on the u-axis only", given={"axes": "u"}),
+                    Mutant(name="data on the v-axis only", given={"axes": "v"}),
+                    Mutant(name="data that disagree in (0, 0)", given={"corner": "other"}),
+                ),
+            ),
+            Check(
+                name="difference of two solutions",
+                run=_FRONTS + "two_solutions",
+                part="class C^1",
+                routes=(
+                    "Moutard equation of both",
+                    "linear equation of the difference",
+                ),
+                mutants=(
+                    Mutant(name="last term dropped", given={"last": False}),
+                    Mutant(name="N_uv = (N_u.N_v) N", given={"sign": 1}),
+                ),
+            ),
+            Check(
+                name="speeds",
+                run=_FRONTS + "conserved_speeds",
+                part="harmonic",
+                routes=(
+                    "any unit normal in polar angles",
+                    "any field with N_uv = -(N_u.N_v) N",
+                ),
+                mutants=(
+                    Mutant(name="N_uv not parallel to N", given={"harmonic": False}),
+                    Mutant(name="along the same coordinate", given={"crosswise": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.normal-along-u-axis",
@@ -96,6 +230,20 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$N_1(u,0) = N_0(\chi_1(u,0))$ for $u \in [0, u_{\max}-u^*]$.",
         hypotheses=(r"$\chi_1$ is that of (eq:attaching)",),
         rests_on=("eq:attaching",),
+        checks=(
+            Check(
+                name="place and front",
+                run=_FRONTS + "normal_along_u",
+                routes=(
+                    "printed map chi_1",
+                    "pseudosphere in closed form",
+                ),
+                mutants=(
+                    Mutant(name="u* not added", given={"shifted": False}),
+                    Mutant(name="u up to u_max", given={"runs_to": "u_max"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.normal-along-v-axis",
@@ -109,6 +257,21 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "eq:attaching",
             "3.4.middle-sector",
+        ),
+        checks=(
+            Check(
+                name="solution on u = 0",
+                run=_SECTORS + "normal_along_v",
+                routes=(
+                    _SERIES,
+                    "great circle along e_v",
+                ),
+                mutants=(
+                    Mutant(name="chi_4 lands in Omega_3", given={"lands_in": 3}),
+                    Mutant(name="edge v = 0", given={"edge": "v = 0"}),
+                    Mutant(name="ray along -e_v", given={"direction": "-e_v"}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -127,6 +290,22 @@ CLAIMS: tuple[Claim, ...] = (
             "amsler-frame",
             "3.4.middle-sector",
         ),
+        checks=(
+            Check(
+                name="straight line",
+                run=_FRONTS + "value_along_v",
+                routes=(
+                    "printed formula",
+                    "Lelieuvre and Frenet-Serret along a straight line",
+                ),
+                mutants=(
+                    Mutant(name="plus sign", given={"sign": 1}),
+                    Mutant(name="sine and cosine exchanged", given={"swapped": True}),
+                    Mutant(name="edge along e_u", given={"ray": "e_u"}),
+                    Mutant(name="e_v not perpendicular to n", given={"tilt": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.side-sector",
@@ -139,7 +318,10 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(
             r"(used, not stated) the integration starts from $r_1(0,0) = \mathbf z_1$",
-            r"(used, not stated) the data have unit speed on $S^2$, so that $N_u, N_v \neq 0$",
+            (
+                r"(used, not stated) the derivatives of the data do not vanish, so that $N_u, N_v "
+                r"\neq 0$"
+            ),
         ),
         rests_on=(
             "3.4.data-on-two-axes-suffice",
@@ -148,6 +330,50 @@ CLAIMS: tuple[Claim, ...] = (
             "3.4.normal-along-v-axis-value",
             "eq:moutard",
             "eq:lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="series",
+                run=_SECTORS + "side_sector",
+                part="series",
+                routes=(
+                    _SERIES,
+                    _ANGLE_SERIES,
+                ),
+                mutants=(
+                    Mutant(name="r_v = N_v x N", given={"sign_v": 1}),
+                    Mutant(name="normal at rest along v", given={"moves": False}),
+                ),
+            ),
+            Check(
+                name="speeds",
+                run=_FRONTS + "conserved_speeds",
+                part="harmonic",
+                routes=(
+                    "any unit normal in polar angles",
+                    "any field with N_uv = -(N_u.N_v) N",
+                ),
+                mutants=(
+                    Mutant(name="N_uv not parallel to N", given={"harmonic": False}),
+                    Mutant(name="along the same coordinate", given={"crosswise": False}),
+                ),
+            ),
+            Check(
+                name="edge of class C^1",
+                run=_CONVERGENCE + "kinked_edge",
+                part="solution",
+                tier="full",
+                routes=(
+                    _GRIDS,
+                    "sine-Gordon equation for the angle",
+                ),
+                mutants=(
+                    Mutant(name="sine-Gordon equation 1 % off", given={"rate": "0.99"}, near=True),
+                    Mutant(
+                        name="another jump of the curvature", given={"jump": "151/100"}, near=True
+                    ),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -166,6 +392,38 @@ CLAIMS: tuple[Claim, ...] = (
             "3.4.middle-sector",
             "eq:moutard",
             "eq:lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="series",
+                run=_SECTORS + "opposite_side_sector",
+                part="series",
+                routes=(
+                    _SERIES,
+                    _ANGLE_SERIES,
+                ),
+                mutants=(
+                    Mutant(name="r_v = N_v x N", given={"sign_v": 1}),
+                    Mutant(name="normal at rest along v", given={"moves": False}),
+                    Mutant(name="chi_2 lands in Omega_1", given={"chart": 1}),
+                ),
+            ),
+            Check(
+                name="whole surgery on grids",
+                run=_CONVERGENCE + "whole_surgery",
+                part="solution",
+                tier="full",
+                routes=(
+                    _GRIDS,
+                    _ANGLES,
+                ),
+                mutants=(
+                    Mutant(name="sine-Gordon equation 1 % off", given={"rate": "0.99"}, near=True),
+                    Mutant(name="v-axis of Omega_1 from Omega_3", given={"fourth": 3}),
+                    Mutant(name="e_u and e_v exchanged", given={"swapped": True}),
+                    Mutant(name="order 3", given={"expected": 3}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -186,6 +444,48 @@ CLAIMS: tuple[Claim, ...] = (
             "3.4.side-sector",
             "eq:lelieuvre",
         ),
+        checks=(
+            Check(
+                name="as printed",
+                run=_FRONTS + "fronts_agree",
+                routes=(
+                    "printed map chi_1, its values",
+                    "domains of the fronts",
+                ),
+                mutants=(
+                    Mutant(name="chi_2", given={"chart": 2}),
+                    Mutant(name="chi_3", given={"chart": 3}),
+                ),
+            ),
+            Check(
+                name="r_0 after chi_1",
+                run=_FRONTS + "fronts_agree",
+                form="corrected",
+                given={"outer": 0},
+                routes=(
+                    "Lelieuvre equation of N_1",
+                    "Lelieuvre equation of N_0",
+                ),
+                mutants=(
+                    Mutant(name="r_1 after chi_1", given={"outer": 1}),
+                    Mutant(name="chi_2", given={"chart": 2}),
+                    Mutant(name="chi_3", given={"chart": 3}),
+                    Mutant(name="r_1 starts elsewhere", given={"start": False}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$N_0 = N_1 \circ \chi_1 \Rightarrow r_0 = r_1 \circ \chi_i$ on "
+            r"$\Omega^* \cap \Omega_1$",
+            corrected=r"$N_1 = N_0 \circ \chi_1 \Rightarrow r_1 = r_0 \circ \chi_1$ on the edge "
+            r"$v = 0$ of $\Omega_1$, with $r_1(0,0) = \mathbf z_1$",
+            kind="misprint",
+            witness=r"$\chi_1(u,0) = (u^*+u,v^*)$ lies in $\Omega^*$, where $N_1$ and $r_1$ are "
+            r"not defined: for $u^* = v^* = 2$, $u_{\max} = 3$ and $\tilde v = 1$ no value "
+            r"$(2+u, 2)$ is in $\Omega_1 = [0,1] \times [0,1]$. Line 874 has $N_1(u,0) = "
+            r"N_0(\chi_1(u,0))$.",
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="3.4.fronts-agree-along-all-edges",
@@ -202,6 +502,37 @@ CLAIMS: tuple[Claim, ...] = (
             "3.4.normal-along-v-axis",
             "3.4.opposite-side-sector",
             "eq:lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="normals and places",
+                run=_SECTORS + "edges_agree",
+                part="new edges",
+                routes=(
+                    _SERIES,
+                    _FRENET,
+                ),
+                mutants=(
+                    Mutant(name="chi_4 lands in Omega_3", given={"fourth": 3}),
+                    Mutant(name="r_1 starts elsewhere", given={"starts": "2,3"}),
+                    Mutant(name="r_2 starts elsewhere", given={"starts": "1,3"}),
+                    Mutant(name="r_3 starts elsewhere", given={"starts": "1,2"}),
+                ),
+            ),
+            Check(
+                name="inherited edges",
+                run=_FRONTS + "fronts_agree",
+                form="support",
+                given={"outer": 0},
+                routes=(
+                    "Lelieuvre equation of N_1",
+                    "Lelieuvre equation of N_0",
+                ),
+                mutants=(
+                    Mutant(name="r_1 after chi_1", given={"outer": 1}),
+                    Mutant(name="r_1 starts elsewhere", given={"start": False}),
+                ),
+            ),
         ),
     ),
 )

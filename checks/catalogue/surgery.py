@@ -1,6 +1,16 @@
 """Claims of section 3.4, surgery."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_GLUING = "checks.verify.surgery_gluing:"
+_LEMMA = "checks.verify.surgery_lemma:"
+_FRONTS = "checks.verify.surgery_fronts:"
+_CONVERGENCE = "checks.verify.surgery_convergence:"
+_QUOTIENT = "theory.glued_rectangles (quotient by the maps)"
+_DISK = "theory.quad_complex (links, Euler characteristic, families)"
+_GRID_SURGERY = "theory.quad_surgery (a sector of a grid replaced)"
+_GRIDS = "theory.goursat_float (Moutard equation, Lelieuvre sums)"
+_ANGLES = "sine-Gordon equation for the angle; closed form of the pseudosphere"
 
 _DOMAINS: tuple[Claim, ...] = (
     Claim(
@@ -23,6 +33,23 @@ _DOMAINS: tuple[Claim, ...] = (
         rests_on=(
             "3.4.domains",
             "eq:attaching",
+        ),
+        checks=(
+            Check(
+                name="stages",
+                run=_GLUING + "stages",
+                routes=(
+                    "attaching maps as printed",
+                    _QUOTIENT,
+                ),
+                mutants=(
+                    Mutant(name="glued along the v-line", given={"line": "v"}),
+                    Mutant(
+                        name="Omega^* without its edges at the point", given={"keeps_point": False}
+                    ),
+                    Mutant(name="five faces", given={"faces": 5}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -47,6 +74,44 @@ _DOMAINS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_GLUING + "domains",
+                routes=(
+                    "printed set",
+                    "three closed rectangles",
+                ),
+                mutants=(Mutant(name="nothing taken away", given={"cut": False}),),
+            ),
+            Check(
+                name="edges kept",
+                run=_GLUING + "domains",
+                form="corrected",
+                given={"closed": False},
+                routes=(
+                    "printed set, the quadrant without its two edges",
+                    "three closed rectangles",
+                ),
+                mutants=(
+                    Mutant(name="edges taken away", given={"closed": True}),
+                    Mutant(name="(u*, v*) on the edge of Omega_0", given={"interior": False}),
+                    Mutant(name="nothing taken away", given={"cut": False}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\Omega^* = [0,u_{\max}] \times [0,v_{\max}] \setminus [u^*,u_{\max}] \times "
+            r"[v^*,v_{\max}]$",
+            corrected=r"its closure: $[0,u_{\max}] \times [0,v_{\max}] \setminus (u^*,u_{\max}] "
+            r"\times (v^*,v_{\max}]$",
+            kind="misprint",
+            witness=r"$(u^*,v^*) \in [u^*,u_{\max}] \times [v^*,v_{\max}]$ is taken away, but the "
+            r"lemma places the branch point at $(u^*,v^*) \in \Omega^*$, and $\chi_1(0,0) = "
+            r"(u^*,v^*)$, $\chi_3(0,v) = (u^*,v^*+v)$ are to lie in $\Omega^*$.",
+            conclusion_survives=True,
+            remark=r"As a face of a complex must be a rectangle, $\Omega^*$ counts as three faces.",
+        ),
     ),
     Claim(
         id="lem:surgery",
@@ -64,8 +129,10 @@ _DOMAINS: tuple[Claim, ...] = (
             r"$r_0$ is a $C^{1M}$ PS-front on the closed rectangle $\Omega_0$",
             r"$(u^*,v^*)$ lies in the interior of $\Omega_0$",
             r"$\tilde u, \tilde v > 0$ are arbitrary",
-            r"(used, not stated) $u, v$ are arc lengths of the asymptotic curves",
-            r"(used, not stated) $\partial_u r_0 \times \partial_v r_0 \neq 0$ at $(u^*,v^*)$",
+            (
+                r"(for the index of the normal at the branch point, not for the branched front) "
+                r"$\partial_u r_0 \times \partial_v r_0 \neq 0$ at $(u^*,v^*)$"
+            ),
         ),
         rests_on=(
             "3.4.domains",
@@ -76,6 +143,44 @@ _DOMAINS: tuple[Claim, ...] = (
             "3.4.assembled-front",
             "3.4.six-rays",
             "defn:quad",
+        ),
+        checks=(
+            Check(
+                name="complex, fronts and edges",
+                run=_LEMMA + "lemma",
+                part="gluing",
+                tier="full",
+                routes=(
+                    _QUOTIENT,
+                    "Taylor series of the sectors",
+                    _GRID_SURGERY,
+                ),
+                mutants=(
+                    Mutant(name="chi_4 lands in Omega_3", given={"fourth": 3}),
+                    Mutant(name="one new sector", given={"sectors": 1}),
+                    Mutant(name="five new sectors", given={"sectors": 5}),
+                    Mutant(name="order 2", given={"order": 2}),
+                    Mutant(name="point on the edge of Omega_0", given={"interior": False}),
+                    Mutant(name="N_uv not parallel to N", given={"harmonic": False}),
+                    Mutant(name="new rays of length 0", given={"ray": "0"}),
+                ),
+            ),
+            Check(
+                name="whole surgery on grids",
+                run=_CONVERGENCE + "whole_surgery",
+                part="solution",
+                tier="full",
+                routes=(
+                    _GRIDS,
+                    _ANGLES,
+                ),
+                mutants=(
+                    Mutant(name="sine-Gordon equation 1 % off", given={"rate": "0.99"}, near=True),
+                    Mutant(name="v-axis of Omega_1 from Omega_3", given={"fourth": 3}),
+                    Mutant(name="e_u and e_v exchanged", given={"swapped": True}),
+                    Mutant(name="order 3", given={"expected": 3}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -88,8 +193,21 @@ _DOMAINS: tuple[Claim, ...] = (
             r"\partial_u r_0(u^*,v^*)$, $\mathbf t_v = \partial_v r_0(u^*,v^*)$, so that $\mathbf "
             r"t_u$ and $\mathbf t_v$ are perpendicular to the unit vector $\mathbf n_1$."
         ),
-        hypotheses=(r"(used, not stated) $\|\mathbf t_u\| = \|\mathbf t_v\| = 1$",),
         rests_on=("eq:lelieuvre",),
+        checks=(
+            Check(
+                name="every normal",
+                run=_FRONTS + "data_at_the_point",
+                routes=(
+                    "Lelieuvre equations",
+                    "any unit normal in polar angles",
+                ),
+                mutants=(
+                    Mutant(name="normal at a point nearby", given={"shift": True}),
+                    Mutant(name="mixed derivative for t_v", given={"second": "uv"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:attaching",
@@ -115,6 +233,52 @@ _DOMAINS: tuple[Claim, ...] = (
             "3.4.domains",
             "def:A-complex",
         ),
+        checks=(
+            Check(
+                name="as printed",
+                run=_GLUING + "attaching",
+                routes=(
+                    "printed maps, values at the ends of edges",
+                    _DISK,
+                ),
+                mutants=(
+                    Mutant(name="chi_2 lands in Omega_1", given={"second": 1}),
+                    Mutant(name="chi_3 does not add v*", given={"shifts": "u"}),
+                    Mutant(name="chi_1 does not add u*", given={"shifts": "v"}),
+                    Mutant(name="chi_1 runs backwards", given={"reverse": True}),
+                ),
+            ),
+            Check(
+                name="chi_4 into Omega_2",
+                run=_GLUING + "attaching",
+                form="corrected",
+                given={"fourth": 2},
+                routes=(
+                    "printed maps but for chi_4",
+                    _DISK,
+                ),
+                mutants=(
+                    Mutant(name="chi_4 lands in Omega_3", given={"fourth": 3}),
+                    Mutant(name="chi_4 lands in Omega_1", given={"fourth": 1}),
+                    Mutant(name="chi_2 lands in Omega_1", given={"second": 1}),
+                    Mutant(name="chi_3 does not add v*", given={"shifts": "u"}),
+                    Mutant(name="chi_1 does not add u*", given={"shifts": "v"}),
+                    Mutant(name="chi_1 runs backwards", given={"reverse": True}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\chi_4 : (0,v) \in \Omega_1 \mapsto (0,v) \in \Omega_3$",
+            corrected=r"$\chi_4 : (0,v) \in \Omega_1 \mapsto (0,v) \in \Omega_2$",
+            kind="misprint",
+            witness=r"$\chi_3$ attaches the edge $u = 0$ of $\Omega_3$ to $\Omega^*$ already; with "
+            r"$\chi_4$ three faces meet there, and the edge $u = 0$ of $\Omega_2$ is attached to "
+            r"nothing. For $v_{\max} - v^* = 1$, $\tilde v = 2$ the map even leaves $\Omega_3 = "
+            r"[0, \tilde u] \times [0,1]$.",
+            conclusion_survives=True,
+            remark=r"Line 878 reads it as corrected: $N_1(0,v) = N_2(\chi_4(0,v))$ needs values in "
+            r"$\Omega_2$.",
+        ),
     ),
 )
 
@@ -133,6 +297,21 @@ _ASSEMBLED: tuple[Claim, ...] = (
             "3.4.fronts-agree-along-all-edges",
             "defn:quad",
             "def:A-complex",
+        ),
+        checks=(
+            Check(
+                name="complex and edges",
+                run=_LEMMA + "assembled",
+                routes=(
+                    _QUOTIENT,
+                    "Taylor series of the sectors; any normal along an edge",
+                ),
+                mutants=(
+                    Mutant(name="chi_4 lands in Omega_3", given={"fourth": 3}),
+                    Mutant(name="chi_2 lands in Omega_1", given={"second": 1}),
+                    Mutant(name="r_3 starts elsewhere", given={"start": False}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -156,6 +335,22 @@ _ASSEMBLED: tuple[Claim, ...] = (
             "3.4.assembled-front",
             "def:branched_immersion",
         ),
+        checks=(
+            Check(
+                name="curvature and sectors",
+                run=_FRONTS + "immersed",
+                routes=(
+                    "N_u x N_v against r_u x r_v for any unit normal",
+                    "printed rays, by their half-angle",
+                ),
+                mutants=(
+                    Mutant(name="e_u before e_v", given={"order": "u,u,v,v"}),
+                    Mutant(name="t_u parallel to t_v", given={"transversal": False}),
+                    Mutant(name="K = 1", given={"sign": 1}),
+                    Mutant(name="edge past a zero of N_u x N_v", given={"edge_end": "1/2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.six-rays",
@@ -172,6 +367,22 @@ _ASSEMBLED: tuple[Claim, ...] = (
             "eq:attaching",
             "def:m-saddle",
         ),
+        checks=(
+            Check(
+                name="edges at the point",
+                run=_GLUING + "rays",
+                routes=(
+                    _QUOTIENT,
+                    _GRID_SURGERY,
+                ),
+                mutants=(
+                    Mutant(name="five", given={"number": 5}, near=True),
+                    Mutant(name="four, as before", given={"number": 4}),
+                    Mutant(name="one new sector", given={"sectors": 1}),
+                    Mutant(name="five new sectors", given={"sectors": 5}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.4.one-sector-replaced-by-three",
@@ -184,13 +395,29 @@ _ASSEMBLED: tuple[Claim, ...] = (
         ),
         hypotheses=(
             (
-                r"(used, not stated) the next point lies in the interior of a face or on an edge, "
-                r"and the sector cut out extends to the boundary of the complex"
+                r"(used, not stated) the sector cut out is a rectangle without branch points "
+                r"inside that extends to the boundary of the complex"
             ),
         ),
         rests_on=(
             "lem:surgery",
             "3.4.six-rays",
+        ),
+        checks=(
+            Check(
+                name="four surgeries",
+                run=_GLUING + "repeated",
+                routes=(
+                    _GRID_SURGERY,
+                    _DISK,
+                ),
+                mutants=(
+                    Mutant(name="two new sectors", given={"sectors": 2}),
+                    Mutant(name="five new sectors", given={"sectors": 5}),
+                    Mutant(name="2m grows by 3", given={"gain": 3}, near=True),
+                    Mutant(name="the sector ends inside the complex", given={"to_the_rim": False}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -219,6 +446,20 @@ _ASSEMBLED: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("lem:surgery",),
+        checks=(
+            Check(
+                name="curvature of the edges",
+                run=_FRONTS + "inherited_edges",
+                routes=(
+                    "Gauss-Weingarten for any angle",
+                    "similarity solution of the sine-Gordon equation",
+                ),
+                mutants=(
+                    Mutant(name="point on an axis", given={"on_axis": True}),
+                    Mutant(name="new edges for inherited ones", given={"edge": "new"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="fig:recursiveconstruction",
@@ -235,6 +476,21 @@ _ASSEMBLED: tuple[Claim, ...] = (
             "fig:introduce_branch_point_stage6",
         ),
         rests_on=("3.4.one-sector-replaced-by-three",),
+        checks=(
+            Check(
+                name="second generation",
+                run=_GLUING + "generations",
+                routes=(
+                    _GRID_SURGERY,
+                    _DISK,
+                ),
+                mutants=(
+                    Mutant(name="no second generation", given={"second": 0}),
+                    Mutant(name="two new sectors", given={"sectors": 2}),
+                    Mutant(name="five new sectors", given={"sectors": 5}),
+                ),
+            ),
+        ),
     ),
 )
 
