@@ -13,8 +13,8 @@ from functools import cache
 from typing import Any
 
 from discrete.errors import ShapeError
-from discrete.goursat_fill import LOST, require_node, require_sides
-from discrete.quad_rule import close_quad
+from discrete.goursat_fill import LOST, require_nodes, require_sides
+from discrete.quad_rule import NEARLY_ANTIPODAL, close_quad
 from discrete.space_forms import Product, SpaceForm
 
 ROWS = 32
@@ -131,13 +131,16 @@ def filled_array(space: SpaceForm, first: Any, second: Any, *, out: Any = None) 
 
 
 def _require_nodes(space: SpaceForm, nodes: Any) -> None:
-    """Refuse a filled net with a node that has left the space, naming the first such node."""
+    """Refuse a filled net that `goursat_fill.require_nodes` refuses, row by row."""
     import numpy as np
 
-    for i in range(nodes.shape[1]):
-        p = nodes[:, i]
-        with np.errstate(invalid="ignore", over="ignore"):
-            kept = np.abs(space.residual(p)) <= LOST
-        if not kept.all():
-            j = int(np.argmin(kept))
-            require_node(space, tuple(p[:, j].tolist()), i, j)
+    with np.errstate(invalid="ignore", over="ignore"):
+        for i in range(nodes.shape[1]):
+            kept = bool((np.abs(space.residual(nodes[:, i])) <= LOST).all())
+            if i > 0 and space.curvature > 0:
+                s = nodes[:, i - 1, 1:] + nodes[:, i, :-1]
+                kept = kept and bool((space.dot(s, s) >= NEARLY_ANTIPODAL).all())
+            if not kept:
+                top = max(0, i - 1)
+                rows = nodes[:, top : i + 1].transpose(1, 2, 0).tolist()
+                require_nodes(space, rows, first_row=top)

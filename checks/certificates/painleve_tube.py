@@ -110,7 +110,7 @@ def _first(phi0: Any) -> Stretch:
     x = rational(START) ** 2 / 4
     way = arb(0).union(x)
     box = phi0 * (1 + 2 * (-x).union(x))
-    if not phi0 + way * box.sin() in box:
+    if phi0 + way * box.sin() not in box:
         raise NotEnclosedError("no box at the origin")
     for _ in range(REFINEMENTS):
         box = phi0 + way * box.sin()

@@ -69,7 +69,7 @@ def _unsound(run: StoredRun, columns: list[Column], beginning: Fraction) -> str:
 def _points(columns: list[Column], forms: dict[str, Any]) -> Iterator[Verdict]:
     """Verdicts at single phi_n, the middles of some columns; the last are above pi/2."""
     steps = grid(STEP)
-    for low, high, _ in columns[:: -SAMPLED]:
+    for low, high, _ in columns[::-SAMPLED]:
         middle = (low + high) / 2
         yield verdict(middle, middle, steps=steps, **forms)
 
