@@ -142,8 +142,8 @@ def trisecting(
 ) -> Fraction:
     """Direction phi_1 = arg(w_2 w_1^2)/3 in units of pi (eq:trisect).
 
-    first, second: the arguments of w_1 and w_2; principal: whether arg is the value in (-pi, pi], or the sum of the arguments as they are.
-    phi_2 is the same with the two exchanged.
+    first, second: the arguments of w_1 and w_2; principal: whether arg is the value in (-pi, pi],
+    or the sum of the arguments as they are. phi_2 is the same with the two exchanged.
     """
     argument = weight * first + second
     if principal:

@@ -99,8 +99,7 @@ def _amsler_net(step: float, count: int) -> Net:
 
 def _at_node(net: Net, j: int, k: int, forward_u: int, forward_v: int) -> float:
     """Angle of the net at node (j, k) between two of its edges, given by their directions +-1."""
-    found = printed.angle(net[j][k], net[j + forward_u][k], net[j][k + forward_v], math)
-    return abs(found)
+    return abs(float(printed.angle(net[j][k], net[j + forward_u][k], net[j][k + forward_v], math)))
 
 
 def _mean(net: Net, j: int, k: int) -> float:

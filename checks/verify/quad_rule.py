@@ -40,7 +40,7 @@ def closes(setting: Setting, *, rule: str = "shipped") -> Evidence:
     each difference is shown to be <p, s> (<p1, p1> - <p2, p2>)/<s, s> with s = p1 + p2.
     """
     p, p1, p2 = (sp.symbols(f"{name}0:3", real=True) for name in ("p", "q", "r"))
-    residuals = {}
+    residuals: dict[str, Any] = {}
     for space in SPACE_FORMS:
         dot = space.dot
         p12 = _RULES[rule](dot, p, p1, p2)
