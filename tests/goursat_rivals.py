@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from discrete.compilation import stamp_of
 from discrete.quad_rule import close_quad
 
 
@@ -23,13 +24,9 @@ def by_antidiagonals(space, nodes):
 def row_loop(space):
     """Compiled loop row by row over nodes (3, n, m), which it fills in place."""
     from numba import njit
-    from numba.extending import register_jitable
 
-    from discrete import goursat_kernel
-
-    goursat_kernel.compiled(space)  # teaches numba the rule
     dot = space.dot
-    register_jitable(dot)
+    stamp_of(dot, close_quad)
 
     def fill(nodes):
         for i in range(1, nodes.shape[1]):

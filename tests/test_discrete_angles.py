@@ -88,7 +88,9 @@ def wrong_neighbours(defect, u, v, corner, u_turns, v_turns, angles, defects):
 
 
 @in_both_spaces
-@pytest.mark.parametrize("mutant", ["neighbours", "sign of q", "swapped sides"])
+@pytest.mark.parametrize(
+    "mutant", ["neighbours", "sign of q", "swapped sides", "edge length", "u and v"]
+)
 def test_the_filled_net_rejects(space, mutant):
     net, nodes = curved_data(space, 6, 6, 7)
     seen = geodesics.angle_at(space, math, nodes[5][5], nodes[6][5], nodes[5][6])
@@ -105,6 +107,10 @@ def test_the_filled_net_rejects(space, mutant):
         u = [-x for x in u]
     if mutant == "swapped sides":
         turns.reverse()
+    if mutant == "edge length":
+        v = [1.01 * x for x in v]
+    if mutant == "u and v":
+        u, v = v, u
 
     def defect(q, angle):
         return 2 * math.atan(q * math.sin(angle) / (1 - q * math.cos(angle)))
