@@ -24,6 +24,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("poincare-ddg", "4.1.net-either-diagonal", "def:A-complex"),
+        checks=(
+            Check(
+                name="as defined",
+                run="checks.verify.hyperbolic_nets:definition",
+                routes=("printed definition", "half-turns of the hyperboloid"),
+                mutants=(
+                    Mutant(name="without the marks", given={"alternating": False}),
+                    Mutant(name="without the rule", given={"rule": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.branch-point-degree",
