@@ -25,6 +25,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("poincare-ddg", "lem:Chebyshev", "eq:householder"),
+        checks=(
+            Check(
+                name="as worded",
+                run="checks.verify.net_correspondence:equivalence",
+                routes=(
+                    "angles of rhombi of S^2 and H^2 (half-turns)",
+                    "edges N_1 x N_0, -N_2 x N_0 in space",
+                ),
+                mutants=(
+                    Mutant(name="tan(delta/2) 1 % larger", given={"scale": "101/100"}, near=True),
+                    Mutant(name="same sign on v-edges", given={"v_sign": 1}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="4.1.edge-length",
