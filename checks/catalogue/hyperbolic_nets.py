@@ -108,6 +108,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.planar-stars", "eq:angle"),
+        checks=(
+            Check(
+                name="quad by quad",
+                run="checks.verify.net_correspondence:equivalence",
+                routes=(
+                    "edges N_1 x N_0, -N_2 x N_0 in space",
+                    "discrete.geodesics on the rhombus of H^2",
+                ),
+                mutants=(
+                    Mutant(name="tan(delta/2) 1 % larger", given={"scale": "101/100"}, near=True),
+                    Mutant(name="same sign on v-edges", given={"v_sign": 1}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="eq:angle",

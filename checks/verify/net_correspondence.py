@@ -67,6 +67,7 @@ def equivalence(setting: Setting, *, scale: str = "1", v_sign: int = -1) -> Evid
                     "its edges are tanh Delta": dot_s2(u, u) - (_SINH / _COSH) ** 2,
                     "cos delta cosh Delta - 1": circular[0] * _COSH - 1,
                     "its angle is A": dot_s2(u, v) - dot_s2(u, u) * (_COS**2 - _SIN**2),
+                    "its angle beside is B": dot_s2(far[0], u) * _SINH**2 + dot_s2(u, u) * cosine_h,
                     "sine of the sum of the angles beside": sine_h * cosine_s + cosine_h * sine_s,
                 },
                 where=_RANGE,
@@ -79,6 +80,6 @@ def equivalence(setting: Setting, *, scale: str = "1", v_sign: int = -1) -> Evid
             ),
         },
         shown="a rhombus of H^2 with the angles A, B and one of S^2 with pi - A, pi - B belong "
-        "together for all A where cos delta cosh Delta = 1; the quad in space has the angles A, B and "
-        "edges sin delta = tanh Delta",
+        "together for all A where cos delta cosh Delta = 1; the quad in space has the angles A, B "
+        "and edges sin delta = tanh Delta",
     )
