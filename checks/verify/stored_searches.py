@@ -26,7 +26,8 @@ def _refused(run: StoredRun) -> str:
     return ""
 
 
-def _judged(run: StoredRun, failures: list[str], *, shown: str, residual: str = "") -> Evidence:
+def judged(run: StoredRun, failures: list[str], *, shown: str, residual: str = "") -> Evidence:
+    """Evidence of a stored search: sound, and without failures of its re-analysis."""
     reasons = [reason for reason in (_refused(run), *failures) if reason]
     return Evidence(
         outcome="fail" if reasons else "pass",
@@ -86,7 +87,7 @@ def efimov_search(
         failures = []
     if not length < bound_percent:
         failures.append(f"immersed up to {length:.4g} % of arcsinh(1/U(0)), not below the bound")
-    return _judged(
+    return judged(
         run,
         failures,
         shown=f"of {run.evaluations} screw surfaces with K <= -1 none had both ends "
@@ -143,7 +144,7 @@ def hilbert_search(
             failures.append(f"angles in [{found[-1][1]:.3g}, {found[-1][2]:.6g}]")
         if not 1.8 < order < 2.2:
             failures.append(f"the areas converge with order {order:.3g}, expected 2")
-    return _judged(
+    return judged(
         run,
         failures,
         shown=f"of {run.evaluations} immersed asymptotic quadrilaterals none had an area "
@@ -204,7 +205,7 @@ def nash_kuiper_search(
         failures.append(f"the defect falls with order {order:.4g} in the frequency ratio")
     if not distance < closeness / 10_000:
         failures.append(f"the map moves by {distance:.4g}")
-    return _judged(
+    return judged(
         run,
         failures,
         shown=f"the worst of {run.evaluations} short maps keeps {left[0]:.2g} of its metric defect "
