@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 Point = tuple[Fraction, Fraction]
 ZERO = Fraction(0)
@@ -146,9 +147,7 @@ class FoldedCorner:
         """Squared distance of the left double point from the image of the boundary."""
         centre = self.position(self.double_point()[1])
         corners = self.boundary()
-        return min(
-            squared_distance(centre, a, b) for a, b in zip(corners, corners[1:], strict=False)
-        )
+        return min(squared_distance(centre, a, b) for a, b in pairwise(corners))
 
     def separation(self) -> Fraction:
         """Distance between the images of the double points, which have one height."""

@@ -16,7 +16,8 @@ LARGEST_LOG = 5.0
 @numba.njit(cache=False)
 def chord(directions: np.ndarray, lengths: np.ndarray) -> complex:
     """Vector from the start to the end of a broken line, as a complex number."""
-    return np.sum(lengths * np.exp(1j * directions))
+    total: complex = np.sum(lengths * np.exp(1j * directions))
+    return total
 
 
 @numba.njit(cache=False)
@@ -40,9 +41,11 @@ def from_segment(point: complex, start: complex, end: complex) -> float:
     side = end - start
     size = abs(side)
     if size == 0.0:
-        return abs(point - start)
+        away: float = abs(point - start)
+        return away
     share = ((point - start) * np.conj(side)).real / size**2
-    return abs(point - start - min(max(share, 0.0), 1.0) * side)
+    distance: float = abs(point - start - min(max(share, 0.0), 1.0) * side)
+    return distance
 
 
 @numba.njit(cache=False)
@@ -159,7 +162,6 @@ def bounds(sides: int) -> tuple[tuple[float, float], ...]:
     """Ranges of the directions and of the logarithms of the lengths."""
     turn, size = ((-3.2, 3.2),) * sides, ((-LARGEST_LOG, LARGEST_LOG),) * sides
     return turn + size + turn + size
-
 
 
 def folded_corner(steepness: float) -> tuple[float, ...]:

@@ -148,3 +148,51 @@ def corner(
         "B_{3 delta} has the normal of its centre again at a distance in (delta, 2 delta)",
         bits=BITS,
     )
+
+
+def projected_distortion(setting: Setting, *, radius: str = "2", bound: str = "21/10") -> Evidence:
+    """Distortion of the projected normal on the disk of radius `radius` delta, over k_max.
+
+    delta < eta = pi/(6 k_max), so k R < radius pi/6; for every k_max >= 1.
+    """
+    del setting
+
+    def rows() -> list[Row]:
+        return [
+            (
+                f"L/k_max at k R = {cell.rho.str(3)}, 1/k = {cell.s.str(3)}",
+                normal_distortion.relative_distortion(cell),
+                _ball(bound),
+            )
+            for cell in normal_distortion.cells(_ball(radius) * arb.pi() / 6)
+        ]
+
+    return bounded(
+        rows(),
+        shown="on B_{2 delta}, delta < pi/(6 k_max), lengths are distorted by at most 2.1 k_max, "
+        "for every k_max >= 1",
+        bits=BITS,
+    )
+
+
+def inclusion(setting: Setting, *, reach: str = "3", power: str = "0") -> Evidence:
+    """Whether B_{2 delta} lies in the ball of radius r/L^2 that John's theorem is about.
+
+    r = reach k_max^power delta; L is at least k_max, the distortion where N_0 is the normal.
+    """
+    del setting
+    shown = "2 delta <= r/L^2 for every k_max >= 1 and r <= 1/(2 k_max)"
+    with ctx.workprec(BITS):
+        for k in (1, 2, 20):
+            covered = _ball(reach) * arb(k) ** _ball(power) / k**2
+            if covered < 2:
+                witness = f"k_max = {k}: r/L^2 is at most {covered.str(4, radius=False)} delta"
+                return Evidence(outcome="fail", grade="certified", witness=witness, shown=shown)
+        if _follows(reach, power):
+            return Evidence(outcome="pass", grade="certified", shown=shown)
+    return Evidence(outcome="undecided", grade="certified", shown="not decided for all k_max")
+
+
+def uniform_radius(setting: Setting, *, reach: str = "3", power: str = "2") -> Evidence:
+    """Whether (lem:maximal) leaves a radius for J_p that depends on k_max alone."""
+    return lemma(setting, reach=reach, power=power)
