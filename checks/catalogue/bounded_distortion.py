@@ -754,7 +754,7 @@ _JOHN = (
                 mutants=(
                     Mutant(name="radius r", given={"power": "0"}),
                     Mutant(name="half of |w - z|/L", given={"broken_percent": 50}),
-                    Mutant(name="0.94 |w - z|/L", given={"broken_percent": 94}, near=True),
+                    Mutant(name="disk 1 % larger", given={"disk_percent": 101}, near=True),
                 ),
             ),
         ),

@@ -162,10 +162,13 @@ def threshold(
     )
 
 
-def john_search(setting: Setting, *, power: str = "2", broken_percent: int = 95) -> Evidence:
+def john_search(
+    setting: Setting, *, power: str = "2", broken_percent: int = 95, disk_percent: int = 100
+) -> Evidence:
     """Whether the nearest pair found that breaks John's inequality lies beyond r/L^power.
 
-    Recomputed by rays. broken_percent: share of |w - z|/L that |f(w) - f(z)| may reach.
+    Recomputed by rays. broken_percent: share of |w - z|/L that |f(w) - f(z)| may reach;
+    disk_percent: radius of the disk that is to be free, in percent of the stored one.
     """
     del setting
     run = load("john")
@@ -176,7 +179,7 @@ def john_search(setting: Setting, *, power: str = "2", broken_percent: int = 95)
     net = net_of(point, john.SIDES, gap * complex(cos(argument), sin(argument)))
     # The radius of the disk in units of the farther point, by the stored margin.
     reach = distortion**2 / (1 + run.result["margin"])
-    found = _found(net, sinh(offset), 0.0, 1.0, reach * (1 - 1e-6))
+    found = _found(net, sinh(offset), 0.0, 1.0, reach * disk_percent / 100 * (1 - 1e-6))
     first, second = net.ends()
     allowed = broken_percent / 100 * abs(first + second) / distortion
     failures = []
