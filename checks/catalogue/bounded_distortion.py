@@ -154,6 +154,13 @@ _LEMMA = (
                     Mutant(name="first point 1 % off", given={"longer": "101/100"}, near=True),
                 ),
             ),
+            Check(
+                name="remainders",
+                run="checks.verify.corner_remainders:remainders",
+                form="support",
+                routes=("half-turn nets in S^2 and H^2", "bounds of the Taylor remainders"),
+                mutants=(Mutant(name="bounds 1 % less", given={"percent": 99}, near=True),),
+            ),
         ),
         erratum=Erratum(
             printed=r"The normal map has the properties 1 and 2, for immersions of $B_{3\delta}$ "
@@ -315,8 +322,24 @@ _FORMS_OF_THE_SURFACE = (
         statement=r"For a $C^2$ immersion of $B_{3\delta}$ there are global asymptotic coordinates "
         r"$u, v$ and an angle $\varphi : B_{2\delta} \to (0, \pi)$ on $B_{2\delta}$, with $g = "
         r"du^2 + 2\sigma\cos\varphi\,du\,dv + dv^2$.",
-        hypotheses=(*_MAXIMAL[:1], r"(used, not stated) $\sigma$ is constant on the ball"),
+        hypotheses=(
+            *_MAXIMAL[:1],
+            r"(used, not stated) $\sigma$ is constant on the ball",
+            r"(read as) $u$, $v$ are functions on the ball with $du \wedge dv \neq 0$",
+            r"(used, not stated) class $C^3$; for $C^2$ the cited theorem of Hartman and Wintner",
+        ),
         rests_on=("eq:metrics",),
+        checks=(
+            Check(
+                name="closed coframe",
+                run=_FORMS_CHECKS + "coframe",
+                routes=("principal coframe and the equations of Codazzi", "printed metric"),
+                mutants=(
+                    Mutant(name="curvature -2", given={"product": -2}),
+                    Mutant(name="curvature 1", given={"product": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.spherical-metric",

@@ -6,7 +6,7 @@ from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
 from checks.positivity import positivity
 from checks.printed import bounded_distortion as printed
-from theory import asymptotic_net, forms
+from theory import asymptotic_coframe, asymptotic_net, forms
 from theory.vectors import added
 
 PHI = sp.Symbol("phi", positive=True)
@@ -324,4 +324,29 @@ def definition(setting: Setting, *, constant: str = "2", oriented: bool = True) 
         not wrong,
         shown="diag(2, 1/2) is 2-BLD; a shorter, a longer and a reflected axis are refused",
         witness=f"L = {constant}: {', '.join(wrong)}",
+    )
+
+
+def coframe(setting: Setting, *, product: int = -1) -> Evidence:
+    """Whether du and dv are closed, with principal curvatures tan(phi/2), product cot(phi/2).
+
+    product: of the principal curvatures; only for -1 are both closed.
+    """
+    half = asymptotic_coframe.H
+    first, second = sp.tan(half), product * sp.cot(half)
+    residuals = {
+        f"d({name})": asymptotic_coframe.exterior(factors, first, second)
+        for name, factors in asymptotic_coframe.asymptotic_coframe().items()
+    }
+    names = ("du^2", "du dv", "dv^2")
+    wanted = (1, sp.cos(2 * half), 1)
+    residuals |= {
+        name: a - b for name, a, b in zip(names, asymptotic_coframe.metric(), wanted, strict=True)
+    }
+    return identities(
+        setting,
+        residuals,
+        shown="du and dv are closed by the equations of Codazzi, so on a ball they are the "
+        "differentials of functions u, v, with du ^ dv never 0 and g = du^2 + 2 cos(phi) du dv + "
+        "dv^2; that (u, v) is one-to-one on the ball is not shown, and not used",
     )
