@@ -46,10 +46,12 @@ _WITNESS = (
     r"equal, are certified near it"
 )
 _REMARK = (
-    r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size. In translation nets the "
-    r"search finds item 1 false from $k_{\max} = 4.33$ on and item 2 from $11.9$ on, and nothing "
-    r"below; with the curvatures bounded by $k_{\max}$ on a disk about $k_{\max}^2$ times as large "
-    r"John's theorem proves both. (thm:branched) takes $\epsilon$ smaller and survives."
+    r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size, and their curvatures are "
+    r"bounded on all of $B_{3\delta}$. In translation nets the search finds item 1 false from "
+    r"$k_{\max} = 4.33$ on and item 2 from $11.9$ on, and nothing below; with the bound on "
+    r"$B_{3\delta}$ both are true for $k_{\max} \le 1.22$, and with the bound on a disk "
+    r"$k_{\max}^2$ times as large for every $k_{\max}$, by John's theorem. (thm:branched) takes "
+    r"$\epsilon$ smaller and survives."
 )
 
 _LEMMA = (
@@ -152,6 +154,16 @@ _LEMMA = (
                 mutants=(
                     Mutant(name="distance 1 % more", given={"wider": "101/100"}, near=True),
                     Mutant(name="first point 1 % off", given={"longer": "101/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="small curvatures",
+                run=_LEMMA_CHECKS + "small_curvatures",
+                form="support",
+                routes=("distortion in balls", "radius r/L^2 of John"),
+                mutants=(
+                    Mutant(name="k_max 1 % more", given={"k_max": "123/100"}, near=True),
+                    Mutant(name="disk of radius 2.9 delta", given={"reach": "29/10"}),
                 ),
             ),
             Check(

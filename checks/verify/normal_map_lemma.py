@@ -150,6 +150,33 @@ def corner(
     )
 
 
+def small_curvatures(setting: Setting, *, k_max: str = "61/50", reach: str = "3") -> Evidence:
+    """Whether John's theorem gives the lemma for curvatures up to k_max on B_{reach delta}.
+
+    For k_max * reach * delta <= 1/20; the paper bounds the curvatures on B_{2 delta} only.
+    """
+    del setting
+
+    def rows() -> list[Row]:
+        largest = arb(1) / 20
+        ends = [normal_distortion.Cell(rho=largest, s=arb(s)) for s in (0, 1)]
+        return [
+            (
+                f"L^2 2 delta/r at k R = {cell.rho.str(3)}, 1/k = {cell.s.str(3)}",
+                normal_distortion.radius_needed(cell) * _ball(k_max) ** 2,
+                _ball(reach),
+            )
+            for cell in (*normal_distortion.cells(largest), *ends)
+        ]
+
+    return bounded(
+        rows(),
+        shown="with the curvatures bounded on B_{3 delta} the lemma is true for k_max <= 1.22 < "
+        "sqrt(3/2), eta = 1/(60 k_max), by the theorem of John",
+        bits=BITS,
+    )
+
+
 def projected_distortion(setting: Setting, *, radius: str = "2", bound: str = "21/10") -> Evidence:
     """Distortion of the projected normal on the disk of radius `radius` delta, over k_max.
 
