@@ -46,8 +46,8 @@ _WITNESS = (
     r"equal, are certified near it"
 )
 _REMARK = (
-    r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size, and their curvatures are "
-    r"bounded on all of $B_{3\delta}$. In translation nets the search finds item 1 false from "
+    r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size, and their curvatures "
+    r"are bounded on all of $B_{3\delta}$. In translation nets the search finds item 1 false from "
     r"$k_{\max} = 4.33$ on and item 2 from $11.9$ on, and nothing below; with the bound on "
     r"$B_{3\delta}$ both are true for $k_{\max} \le 1.22$, and with the bound on a disk "
     r"$k_{\max}^2$ times as large for every $k_{\max}$, by John's theorem. (thm:branched) takes "
