@@ -1,11 +1,14 @@
 """Claims of section 3.3, which surfaces smooth isometries approximate; the energy gap."""
 
-from checks.claim import Claim
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _UNSMOOTH = (
     r"$m = 2$, $\alpha_1 + \alpha_2 \ne \pi$, $\alpha_2 + \alpha_3 \ne \pi$",
     r"$\alpha_i \in (0, \pi)$, $\sum_{i=1}^{4} \alpha_i = 2\pi$",
 )
+
+_CHECKS = "checks.verify.approximability:"
+_SMOOTHED = "checks.verify.smoothed_saddle:"
 
 _CONSEQUENCES = (
     Claim(
@@ -17,6 +20,20 @@ _CONSEQUENCES = (
         r"of $C^2$ pseudospherical immersions with $\mathcal{E}_\infty(y_n) \le k_{\max} < "
         r"\infty$.",
         rests_on=("thm:branched", "fig:winding_number_normalfield"),
+        checks=(
+            Check(
+                name="index and jumps",
+                run=_CHECKS + "not_approximable",
+                routes=(
+                    "quadratic saddle over a star (theory.star_saddle)",
+                    "index -1 required by (thm:branched)",
+                ),
+                mutants=(
+                    Mutant(name="ordinary saddle", given={"orders": "2"}),
+                    Mutant(name="both", given={"orders": "2,3"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.sobolev-inclusion",
@@ -26,6 +43,14 @@ _CONSEQUENCES = (
         statement=r"Convergence in $W^{2,\infty}_{\mathrm{loc}}$ implies convergence in "
         r"$W^{2,2}_{\mathrm{loc}}$.",
         hypotheses=("(used, not stated) compact subsets have finite area",),
+        checks=(
+            Check(
+                name="norms",
+                run=_CHECKS + "area_bound",
+                routes=("L^2 norm of three values", "area times the largest square"),
+                mutants=(Mutant(name="no area", given={"power": 0}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.curvature-blow-up",
@@ -36,6 +61,20 @@ _CONSEQUENCES = (
         r"$W^{2,2}_{\mathrm{loc}}$ have unbounded principal curvatures on every neighbourhood of "
         r"the branch point, and do not converge in $W^{2,\infty}_{\mathrm{loc}}$.",
         rests_on=("3.3.monkey-saddle-not-approximable", "3.3.sobolev-inclusion"),
+        checks=(
+            Check(
+                name="index and jumps",
+                run=_CHECKS + "not_approximable",
+                routes=(
+                    "quadratic saddle over a star (theory.star_saddle)",
+                    "index -1 required by (thm:branched)",
+                ),
+                mutants=(
+                    Mutant(name="ordinary saddle", given={"orders": "2"}),
+                    Mutant(name="both", given={"orders": "2,3"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.energy-gap",
@@ -55,6 +94,40 @@ _CONSEQUENCES = (
         kind="equation",
         statement=r"The branch points of an isometry are the $p_i$ with $J(p_i) \ge 2$.",
         rests_on=("3.3.branch-point-index", "3.3.index-negative"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_CHECKS + "branch_condition",
+                routes=("printed condition", "quadratic saddle over a star (theory.star_saddle)"),
+                mutants=(
+                    Mutant(name="J >= 1", given={"least": 1}),
+                    Mutant(name="J >= 3", given={"least": 3}),
+                ),
+            ),
+            Check(
+                name="J <= -2",
+                run=_CHECKS + "branch_condition",
+                form="corrected",
+                given={"factor": -1},
+                routes=(
+                    "condition with the sign of J",
+                    "quadratic saddle over a star (theory.star_saddle)",
+                ),
+                mutants=(
+                    Mutant(name="J <= -1", given={"factor": -1, "least": 1}),
+                    Mutant(name="J <= -3", given={"factor": -1, "least": 3}),
+                    Mutant(name="J >= 2", given={"factor": 1}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$J(p_i) \ge 2$",
+            corrected=r"$J(p_i) \le -2$, that is $|J(p_i)| \ge 2$",
+            kind="misprint",
+            witness=r"$m = 3$: the gradient of the monkey saddle turns twice clockwise, $J = 1 - m "
+            r"= -2$; no point has $J > 0$",
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="3.3.branched-not-approximable",
@@ -65,6 +138,17 @@ _CONSEQUENCES = (
         r"less in $W^{2,\infty}_{\mathrm{loc}}$, of smooth isometries with locally uniformly "
         "bounded curvatures.",
         rests_on=("thm:branched", "3.3.sobolev-inclusion"),
+        checks=(
+            Check(
+                name="orders 3 to 6",
+                run=_CHECKS + "all_orders",
+                routes=(
+                    "quadratic saddle over a star (theory.star_saddle)",
+                    "index -1 required by (thm:branched)",
+                ),
+                mutants=(Mutant(name="with order 2", given={"orders": "2,3"}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.smooth-mappings-approximate",
@@ -79,6 +163,17 @@ _CONSEQUENCES = (
             ),
         ),
         rests_on=("def:branched_immersion",),
+        checks=(
+            Check(
+                name="averages",
+                run=_CHECKS + "mollified",
+                routes=(
+                    "quadratic saddle over a star (theory.star_saddle)",
+                    "averages over windows",
+                ),
+                mutants=(Mutant(name="in W^{2,infinity}", given={"exponent": "oo"}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.flat-and-elliptic-w22",
@@ -88,6 +183,14 @@ _CONSEQUENCES = (
         statement=r"$W^{2,2}$ isometries of flat and of elliptic surfaces are limits in "
         r"$W^{2,2}_{\mathrm{loc}}$ of smooth isometries.",
         hypotheses=("(used, not stated) a smooth metric, and for flat ones a convex domain",),
+        citation=Citation(
+            source="M. R. Pakzad, On the Sobolev space of isometric immersions, J. Differential "
+            "Geom. 66 (2004) 47-69; P. Hornung, Approximation of flat W^{2,2} isometric immersions "
+            "by smooth ones, Arch. Ration. Mech. Anal. 199 (2011) 1015-1067; P. Hornung and I. "
+            "Velcic, Regularity of intrinsically convex W^{2,2} surfaces and a derivation of a "
+            "homogenized bending theory of convex shells, J. Math. Pures Appl. 115 (2018) 1-23",
+            reason="Density in a space of all isometries; no computation runs over them.",
+        ),
     ),
     Claim(
         id="3.3.flat-and-elliptic-c11",
@@ -97,6 +200,43 @@ _CONSEQUENCES = (
         statement=r"$C^{1,1}$ isometries of flat and of elliptic surfaces are limits in "
         r"$W^{2,\infty}_{\mathrm{loc}}$ of smooth isometries.",
         hypotheses=("(used, not stated) a smooth metric, and for flat ones a convex domain",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_CHECKS + "flat_limit",
+                routes=("plane joined to a cylinder", "continuous second forms in L^oo"),
+                mutants=(
+                    Mutant(name="cylinder of radius 1/2", given={"curvature": "2"}),
+                    Mutant(name="cylinder of radius 2", given={"curvature": "1/2"}),
+                ),
+            ),
+            Check(
+                name="on the joined cylinder, in L^2",
+                run=_CHECKS + "flat_limit",
+                form="corrected",
+                given={"exponent": "2"},
+                routes=("plane joined to a cylinder", "ramps in L^2"),
+                mutants=(
+                    Mutant(name="in L^oo", given={"exponent": "oo"}),
+                    Mutant(name="in L^oo, radius 2", given={"exponent": "oo", "curvature": "1/2"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$C^{1,1}$ isometries of flat surfaces are limits of smooth ones in "
+            r"$W^{2,\infty}_{\mathrm{loc}}$",
+            corrected=r"A $C^{1,1}$ isometry is a limit of $C^2$ ones in "
+            r"$W^{2,\infty}_{\mathrm{loc}}$ only if it is $C^2$; the plane joined to a cylinder is "
+            r"one in $W^{2,2}_{\mathrm{loc}}$ with bounded curvatures",
+            kind="false",
+            witness=r"the strip $(x(s), t, z(s))$ with $(x', z') = (\cos a, \sin a)$, $a = 0$ for "
+            r"$s < 0$ and $a = s$ for $s > 0$: its second form jumps by $1$, and a continuous one "
+            r"is at least $\frac12$ away",
+            conclusion_survives=True,
+            remark=r"$W^{2,\infty}$ is meant in norm: the paper uses that it implies convergence "
+            r"in $W^{2,2}$, which bounded weak-* convergence does not. The contrast that it draws "
+            r"is one of convergence in $W^{2,2}$, with curvatures that stay bounded.",
+        ),
     ),
     Claim(
         id="3.3.lavrentiev",
@@ -127,6 +267,33 @@ _APPROXIMABLE = (
             ),
         ),
         rests_on=("thm:branched", "3.3.unsmooth-2-saddle", "3.3.smoothed-surfaces-converge"),
+        checks=(
+            Check(
+                name="limit that is not C^2",
+                run=_CHECKS + "unsmooth",
+                part="limit",
+                routes=("quadratic saddle over a star (theory.star_saddle)", "four sectors"),
+                mutants=(
+                    Mutant(name="alpha_1 + alpha_2 = pi", given={"second": "2/3"}),
+                    Mutant(name="alpha_2 + alpha_3 = pi", given={"second": "1/3"}),
+                ),
+            ),
+            Check(
+                name="smoothed nets",
+                tier="full",
+                run=_SMOOTHED + "convergence",
+                part="convergence",
+                routes=(
+                    "half-turn nets of smoothed curves",
+                    "half-turn nets of curves with corners",
+                ),
+                mutants=(
+                    Mutant(name="order 2", given={"order": 2}, near=True),
+                    Mutant(name="L^2 order 1", given={"power": 2}, near=True),
+                    Mutant(name="angles above 1.01 pi/3", given={"floor_percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.unsmooth-2-saddle",
@@ -137,6 +304,17 @@ _APPROXIMABLE = (
         r"\pi$ make a piecewise smooth surface that is not $C^2$ in any neighbourhood of $p$.",
         hypotheses=_UNSMOOTH,
         rests_on=("def:sectors", "3.2.patched-saddle", "3.3.curves-with-corners"),
+        checks=(
+            Check(
+                name="jumps of the second form",
+                run=_CHECKS + "unsmooth",
+                routes=("quadratic saddle over a star (theory.star_saddle)", "four sectors"),
+                mutants=(
+                    Mutant(name="alpha_1 + alpha_2 = pi", given={"second": "2/3"}),
+                    Mutant(name="alpha_2 + alpha_3 = pi", given={"second": "1/3"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.curves-with-corners",
@@ -147,6 +325,14 @@ _APPROXIMABLE = (
         r"not differentiable at $p$.",
         hypotheses=_UNSMOOTH,
         rests_on=("def:sectors",),
+        checks=(
+            Check(
+                name="turning at p",
+                run=_CHECKS + "corners",
+                routes=("tangents from the angles of the sectors", "sums of angles"),
+                mutants=(Mutant(name="angles that make 0", given={"add": "1"}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.smoothed-curves",
@@ -161,6 +347,25 @@ _APPROXIMABLE = (
             r"(used, not stated) the smoothed angle $\varphi$ stays in $(0, \pi)$",
         ),
         rests_on=("3.3.curves-with-corners", "eq:frames"),
+        checks=(
+            Check(
+                name="angle",
+                run=_CHECKS + "smoothed_angle",
+                part="angle",
+                routes=("phi = beta - alpha", "mean of the angles at p"),
+                mutants=(Mutant(name="sign of a share", given={"mixed": -1}),),
+            ),
+            Check(
+                name="curves",
+                run=_CHECKS + "smoothed_curves",
+                part="curves",
+                routes=("matrix exponentials with the turning spread", "with the corner"),
+                mutants=(
+                    Mutant(name="order 2", given={"order": 2}, near=True),
+                    Mutant(name="turning 1 % more", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.smoothed-surfaces-converge",
@@ -174,6 +379,30 @@ _APPROXIMABLE = (
             r"(used, not stated) convergence in $W^{2,2}_{\mathrm{loc}}$, with bounded curvatures",
         ),
         rests_on=("3.3.smoothed-curves", "eq:lelieuvre", "eq:moutard"),
+        checks=(
+            Check(
+                name="smoothed nets",
+                tier="full",
+                run=_SMOOTHED + "convergence",
+                part="convergence",
+                routes=(
+                    "half-turn nets of smoothed curves",
+                    "half-turn nets of curves with corners",
+                ),
+                mutants=(
+                    Mutant(name="order 2", given={"order": 2}, near=True),
+                    Mutant(name="L^2 order 1", given={"power": 2}, near=True),
+                    Mutant(name="angles above 1.01 pi/3", given={"floor_percent": 101}, near=True),
+                ),
+            ),
+            Check(
+                name="index of the limit",
+                run=_CHECKS + "unsmooth",
+                part="index",
+                routes=("quadratic saddle over a star (theory.star_saddle)", "four sectors"),
+                mutants=(Mutant(name="alpha_1 + alpha_2 = pi", given={"second": "2/3"}),),
+            ),
+        ),
     ),
     Claim(
         id="3.3.c1m-approximable",
@@ -183,6 +412,18 @@ _APPROXIMABLE = (
         statement=r"$C^{1M}$ pseudospherical surfaces are limits of smooth isometries by the same "
         r"argument.",
         rests_on=("3.3.smoothed-surfaces-converge",),
+        checks=(
+            Check(
+                name="curves with continuous tangents",
+                tier="full",
+                run=_SMOOTHED + "continuous_angles",
+                routes=("half-turn nets of smoothed curves", "half-turn nets of the curves"),
+                mutants=(
+                    Mutant(name="curves with corners", given={"profile": "corner"}),
+                    Mutant(name="order 2", given={"order": 2}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.c1m-index",
@@ -192,6 +433,14 @@ _APPROXIMABLE = (
         statement=r"$C^{1M}$ pseudospherical surfaces have $J = -1$ everywhere.",
         hypotheses=(r"(used, not stated) immersed, in coordinates $(u, v)$ global near the point",),
         rests_on=("def:Jp", "eq:lorentz_harmonic"),
+        checks=(
+            Check(
+                name="orientation",
+                run=_CHECKS + "normal_reverses",
+                routes=("Lelieuvre equations", "orientation"),
+                mutants=(Mutant(name="N_v = N x r_v", given={"second_sign": 1}),),
+            ),
+        ),
     ),
 )
 

@@ -173,6 +173,8 @@ class _Family:
         if x > 0:
             direct = (excess.m / x**2).upper()
             over_square = direct if over_square is None else over_square.min(direct)
+        if over_square is None:  # the first stretch of a column too wide for any bound
+            return arb(0)
         return (self.q().lower() * shape / over_square).lower()
 
 

@@ -5,7 +5,18 @@ from importlib import import_module
 
 from checks.stored import StoredRun, hashes, store
 
-NAMES = ("amsler_bounds", "efimov", "hilbert", "nash_kuiper", "smooth_disks")
+NAMES = (
+    "amsler_bounds",
+    "efimov",
+    "hilbert",
+    "john",
+    "nash_kuiper",
+    "normal_map",
+    "smooth_disks",
+    "smooth_near_star",
+    "star_normals",
+    "translation_nets",
+)
 USAGE = f"usage: python -m checks.searches NAME [SEED], NAME one of {', '.join(NAMES)}\n"
 
 
