@@ -15,7 +15,6 @@ NAMES = (
     "smooth_disks",
     "smooth_near_star",
     "star_normals",
-    "translation_nets",
 )
 USAGE = f"usage: python -m checks.searches NAME [SEED], NAME one of {', '.join(NAMES)}\n"
 

@@ -27,11 +27,7 @@ def _refused(run: StoredRun) -> str:
 
 
 def judged(run: StoredRun, failures: list[str], *, shown: str, residual: str = "") -> Evidence:
-<<<<<<< HEAD
     """Evidence from a stored search, its own soundness and what the re-analysis found wrong."""
-=======
-    """Evidence of a stored search: sound, and without failures of its re-analysis."""
->>>>>>> wt-i
     reasons = [reason for reason in (_refused(run), *failures) if reason]
     return Evidence(
         outcome="fail" if reasons else "pass",
