@@ -1,6 +1,7 @@
 """Every example in a docstring of the three packages gives what it shows."""
 
 import doctest
+import re
 from importlib import import_module
 from pathlib import Path
 
@@ -24,6 +25,19 @@ def test_the_examples_hold(module: str):
     failed, tried = doctest.testmod(import_module(module))
     assert tried > 0
     assert failed == 0
+
+
+def _readme_code() -> list[str]:
+    """Blocks of Python in the README."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return re.findall(r"^```python\n(.*?)^```$", text, flags=re.DOTALL | re.MULTILINE)
+
+
+def test_the_code_of_the_readme_runs():
+    blocks = _readme_code()
+    assert blocks
+    for block in blocks:
+        exec(compile(block, "README.md", "exec"), {})
 
 
 def test_a_wrong_example_is_seen():
