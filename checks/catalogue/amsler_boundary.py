@@ -1,4 +1,4 @@
-"""Claims of section 3.2, Amsler sectors: data on the boundary, the Goursat problem (amsler-frame)."""
+"""Claims of section 3.2, Amsler sectors: boundary data, the Goursat problem (amsler-frame)."""
 
 from checks.claim import Check, Claim, Erratum, Mutant
 

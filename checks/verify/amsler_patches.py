@@ -140,7 +140,7 @@ def _solves(setting: Setting, normal: Vector, e: Vector, matrix: Any, along: str
     )
 
 
-def _sphere_is_kept(sign: int) -> dict[str, Any]:
+def sphere_identities(sign: int) -> dict[str, Any]:
     """Consequences of N_uv = sign (N_u.N_v) N for N.N and the speeds, N not assumed unit."""
     u, v = series.U, series.V
     x, y, z = (sp.Function(name)(u, v) for name in ("n_1", "n_2", "n_3"))
@@ -186,6 +186,11 @@ def _zero_curvature() -> dict[str, Any]:
     return residuals
 
 
+def existence_identities() -> dict[str, Any]:
+    """Identities behind the existence of a sector: Picard's step, compatibility of the frame."""
+    return _picard() | _zero_curvature()
+
+
 def straight_sector(
     sigma: int, *, order: int = ORDER, torsion_v: int = 1
 ) -> tuple[series.SectorSeries, Series]:
@@ -200,7 +205,7 @@ def straight_sector(
 
 def goursat(setting: Setting, *, sign: int = -1, torsion_v: int = 1) -> Evidence:
     """Goursat problem of the Moutard equation: existence on the quadrant, values on the sphere."""
-    residuals = _sphere_is_kept(sign) | _picard() | _zero_curvature()
+    residuals = sphere_identities(sign) | existence_identities()
     for sigma in (1, -1):
         first, second = straight_sector(sigma, torsion_v=torsion_v)
         for (i, j), vector in second.items():
@@ -298,8 +303,8 @@ def extends(setting: Setting, *, sign: int = -1, stretched: int = 1) -> Evidence
     r_u = frames.lelieuvre_u(scaled(stretched, n_u), N_0, cross)
     return combined(
         {
-            "sphere and speeds": identities(setting, _sphere_is_kept(sign), shown="kept"),
-            "existence": identities(setting, _picard() | _zero_curvature(), shown="exists"),
+            "sphere and speeds": identities(setting, sphere_identities(sign), shown="kept"),
+            "existence": identities(setting, existence_identities(), shown="exists"),
             "speed of the front": identities(
                 setting, {"r_u.r_u - 1": dot(r_u, r_u) - 1}, shown="unit"
             ),
