@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _RUN = "checks.verify.assembly:"
+_PROOF = "checks.verify.assembly_proof:"
 _SURFACES = "checks.verify.assembled_surfaces:"
 
 _ASSEMBLY = (
@@ -41,7 +42,7 @@ _PROPOSITION = (
         checks=(
             Check(
                 name="arbitrary angles and curvatures",
-                run=_RUN + "proposition",
+                run=_PROOF + "proposition",
                 routes=(
                     "angle theta_uv = sin theta and a carried frame, as series",
                     (
@@ -56,6 +57,15 @@ _PROPOSITION = (
                     Mutant(name="angles that leave a gap", given={"turned": 1}),
                 ),
                 tier="full",
+            ),
+            Check(
+                name="explicit lengths",
+                run=_PROOF + "lengths",
+                routes=("bound by |theta_uv| <= 1", "angle integrated to second order"),
+                mutants=(
+                    Mutant(name="three times the room", given={"share": "3"}),
+                    Mutant(name="99 % of the bound", given={"rise": "99/100"}, near=True),
+                ),
             ),
             Check(
                 name="six sectors integrated",
@@ -275,7 +285,7 @@ _PROPOSITION = (
         checks=(
             Check(
                 name="in the plane of the star",
-                run=_RUN + "smooth_across",
+                run=_PROOF + "smooth_across",
                 routes=(
                     "angle on the edges, by its equation",
                     "star's vectors by Cramer's rule",
@@ -284,7 +294,7 @@ _PROPOSITION = (
             ),
             Check(
                 name="as a graph",
-                run=_RUN + "smooth_across",
+                run=_PROOF + "smooth_across",
                 routes=(
                     "projection of both sectors",
                     "series of N and r on the ray from both sides",

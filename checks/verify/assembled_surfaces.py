@@ -119,7 +119,7 @@ def example(
         2,
         digits=10,
         shown="six sectors of unequal angles between curves of variable curvature, Moutard "
-        "equation to second order: the normal's length, the angle on every edge against that of the "
+        "equation to second order: the normal's length, the angle on each edge against that of the "
         "prescribed geodesic curvature, and every ray from both of its sectors against its curve "
         "converge",
     )

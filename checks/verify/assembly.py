@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from checks.evidence import Evidence, Setting
-from checks.exact import combined, identities
+from checks.exact import identities
 from checks.printed import amsler_patches as straight
 from checks.printed import assembly as printed
 from checks.printed import asymptotic_frames as frames
@@ -26,7 +26,6 @@ from checks.verify.amsler_patches import (
 )
 from checks.verify.m_stars import ALPHA, ray
 from checks.verify.nets import minus
-from checks.verify.patched_sectors import continuous_derivative
 from theory import sector_series as series
 from theory.bent_curves import binormals, frame_coefficients, lelieuvre_series, position_series
 from theory.moutard import goursat_series
@@ -36,13 +35,22 @@ K, H = series.K[:3], series.H[:3]
 C, S = series.C, series.S
 E_3 = printed.E_3
 ORDER = 4
+#: Degree to which the edges of a sector are compared.
+HIGH = 5
+#: Degree of sectors with rational data, and the data: cos alpha, sin alpha, curvatures.
+DEGREE = 7
+_COSINE, _SINE = sp.Rational(3, 5), sp.Rational(4, 5)
+_BENT_U = (sp.Integer(1), sp.Rational(-1, 2), sp.Rational(2, 3))
+_BENT_V = (sp.Rational(-3, 4), sp.Rational(1, 3), sp.Rational(1, 5))
 Triples = dict[tuple[int, int], Vector]
 
 
 @cache
-def carried(sigma: int, on_u: tuple[Any, ...] = K, on_v: tuple[Any, ...] = H) -> Any:
+def carried(
+    sigma: int, on_u: tuple[Any, ...] = K, on_v: tuple[Any, ...] = H, order: int = ORDER
+) -> Any:
     """Sector by its angle and a carried frame."""
-    return series.sector_series(sigma=sigma, on_u=on_u, on_v=on_v, order=ORDER)
+    return series.sector_series(sigma=sigma, on_u=on_u, on_v=on_v, order=order)
 
 
 def read(field: Sequence[Any], i: int, j: int) -> Vector:
@@ -103,9 +111,9 @@ def assembly_frames(
     """
     residuals: dict[str, Any] = {}
     for sigma in (1, -1):
-        found = carried(sigma)
-        tangents = [read(found.r_v, 0, n) for n in range(ORDER + 1)]
-        normals = [read(found.normal, 0, n) for n in range(ORDER + 1)]
+        found = carried(sigma, order=HIGH)
+        tangents = [read(found.r_v, 0, n) for n in range(HIGH + 1)]
+        normals = [read(found.normal, 0, n) for n in range(HIGH + 1)]
         matrix = frames.frenet_v(sp.Symbol("kappa"), torsion=torsion_v, back=-torsion_v)
         residuals |= _frame_defects(
             f"v, sigma = {sigma}", tangents, normals, matrix, H, curvature_sign
@@ -129,7 +137,7 @@ def assembly_frames(
         residuals,
         shown="on both edges of sectors of either orientation the frame of the surface solves its "
         "system of (eq:frames) with the given curvature, from s_i and e_3; to degree "
-        f"{ORDER - 1}, angle and coefficients arbitrary",
+        f"{HIGH - 1} on v-edges and {ORDER - 2} on u-edges, angle and coefficients arbitrary",
     )
 
 
@@ -184,10 +192,10 @@ def boundary_normal(setting: Setting, *, torsion_v: int = 1, other: bool = False
     residuals: dict[str, Any] = {}
     on_u, on_v = (H, K) if other else (K, H)
     for sigma in (1, -1):
-        found = carried(sigma)
-        first = binormals(E_1, E_3, on_u, -1, order=ORDER)
-        second = binormals(axis(sigma), E_3, on_v, torsion_v, order=ORDER)
-        for n in range(ORDER + 1):
+        found = carried(sigma, order=HIGH)
+        first = binormals(E_1, E_3, on_u, -1, order=HIGH)
+        second = binormals(axis(sigma), E_3, on_v, torsion_v, order=HIGH)
+        for n in range(HIGH + 1):
             residuals[f"N on v = 0, u^{n}, sigma = {sigma}"] = reduced(
                 minus(read(found.normal, n, 0), first[n])
             )
@@ -198,7 +206,7 @@ def boundary_normal(setting: Setting, *, torsion_v: int = 1, other: bool = False
         setting,
         residuals,
         shown="on each edge N is the binormal of that edge's curve, whatever the other edge; to "
-        f"degree {ORDER}",
+        f"degree {HIGH}",
     )
 
 
@@ -207,6 +215,7 @@ def goursat(setting: Setting, *, sign: int = -1, torsion_v: int = 1) -> Evidence
     residuals = sphere_identities(sign) | existence_identities()
     for sigma in (1, -1):
         residuals |= _two_routes(sigma, torsion_v)
+        residuals |= _rational_sector(sigma, torsion_v)
     return identities(
         setting,
         residuals,
@@ -214,7 +223,8 @@ def goursat(setting: Setting, *, sign: int = -1, torsion_v: int = 1) -> Evidence
         "Picard's iteration with steps (u v)^n/n!^2, and the frame follows from linear equations "
         "that commute (textbook); every solution stays on the sphere with the speeds of its data; "
         f"N to degree {ORDER} and r to degree {ORDER + 1} agree with the vector Moutard equation "
-        "and the Lelieuvre formulae, angle and six coefficients of the curvatures arbitrary",
+        "and the Lelieuvre formulae, angle and six coefficients of the curvatures arbitrary, and "
+        f"to degree {DEGREE} for a rational angle and curvatures",
     )
 
 
@@ -235,6 +245,25 @@ def _two_routes(sigma: int, torsion_v: int) -> dict[str, Any]:
     return residuals
 
 
+def _rational_sector(sigma: int, torsion_v: int) -> dict[str, Any]:
+    """Both routes to the normal of a sector with rational data, to a higher degree."""
+    found = series.sector_series(sigma=sigma, on_u=_BENT_U, on_v=_BENT_V, order=DEGREE)
+    e_v: Vector = (_COSINE, sigma * _SINE, sp.Integer(0))
+    normal = goursat_series(
+        binormals(E_1, E_3, _BENT_U, -1, order=DEGREE),
+        binormals(e_v, E_3, _BENT_V, torsion_v, order=DEGREE),
+    )
+    residuals: dict[str, Any] = {}
+    for i in range(DEGREE + 1):
+        for j in range(DEGREE + 1 - i):
+            value = read(found.normal, i, j)
+            residuals[f"N of the rational sector, u^{i} v^{j}, sigma = {sigma}"] = [
+                sp.sympify(a).subs({C: _COSINE, S: _SINE}) - b
+                for a, b in zip(value, normal[i, j], strict=True)
+            ]
+    return residuals
+
+
 def _turned(a: Vector, sigma: int) -> Vector:
     """Components of a vector along e_v, e_3 x e_v, e_3."""
     return (C * a[0] + sigma * S * a[1], -sigma * S * a[0] + C * a[1], a[2])
@@ -248,15 +277,15 @@ def ray_values(along: str, sigma: int, *, extra: int = 0, torsion: int = 0) -> d
     """
     moduli = K if along == "u" else H
     bent = (moduli[0] + extra, *moduli[1:])
-    found = carried(sigma, *((bent, H) if along == "u" else (K, bent)))
+    found = carried(sigma, *((bent, H) if along == "u" else (K, bent)), order=HIGH)
     values: dict[str, Vector] = {}
-    for n in range(ORDER + 1):
+    for n in range(HIGH + 1):
         place = (n, 0) if along == "u" else (0, n)
         for name, field in (("N", found.normal), ("r", found.position)):
             value = read(field, *place)
             values[f"{name}, t^{n}"] = value if along == "u" else _turned(value, sigma)
     if torsion:
-        for n, normal in enumerate(binormals(E_1, E_3, bent, torsion, order=ORDER)):
+        for n, normal in enumerate(binormals(E_1, E_3, bent, torsion, order=HIGH)):
             values[f"N, t^{n}"] = normal
     return values
 
@@ -288,7 +317,7 @@ def glue(setting: Setting, *, extra: int = 0, torsion: int = 0, turned: int = 0)
         setting,
         residuals,
         shown="on a u- and on a v-ray, N and r have the same series from both sides, to degree "
-        f"{ORDER}, whatever the angles and the other edges of the two sectors",
+        f"{HIGH}, whatever the angles and the other edges of the two sectors",
     )
 
 
@@ -332,8 +361,8 @@ def generalises(setting: Setting, *, bend: int = 0, sign_v: int = -1) -> Evidenc
     for sigma in (1, -1):
         on_u = straight.normal_on_u(t, E_3, E_1)
         on_v = straight.normal_on_v(t, E_3, axis(sigma), sign=sign_v)
-        found = carried(sigma, (bend,), (bend,))
-        for n in range(ORDER + 1):
+        found = carried(sigma, (bend,), (bend,), HIGH)
+        for n in range(HIGH + 1):
             for along, edge, place in (("u", on_u, (n, 0)), ("v", on_v, (0, n))):
                 stated = [sp.diff(e, t, n).subs(t, 0) / sp.factorial(n) for e in edge]
                 value = read(found.normal, *place)
@@ -345,58 +374,4 @@ def generalises(setting: Setting, *, bend: int = 0, sign_v: int = -1) -> Evidenc
         residuals,
         shown="for curvatures 0 the frames of an assembly carry the normals of (amsler-frame) and "
         "the sectors are those between straight lines",
-    )
-
-
-def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> Evidence:
-    """Derivative of r across a ray of curvature 1, in the plane of the star or as a graph.
-
-    chart: "star" or "tangent plane", the surface being a graph there near the corner, its gradient
-    (-N_1/N_3, -N_2/N_3); extra: difference of the curvatures prescribed on the ray.
-    """
-    if chart == "star":
-        return continuous_derivative(setting, bend=1 + extra)
-    residuals: dict[str, Any] = {}
-    for sigma in (1, -1):
-        found = carried(sigma)
-        residuals[f"r_u - e_u at the corner, sigma = {sigma}"] = minus(
-            read(found.position, 1, 0), E_1
-        )
-        residuals[f"r_v - e_v at the corner, sigma = {sigma}"] = reduced(
-            minus(read(found.position, 0, 1), axis(sigma))
-        )
-    return combined(
-        {
-            "projection": identities(setting, residuals, shown="invertible"),
-            "tangent planes": glue(setting, extra=extra),
-        },
-        shown="projected to the tangent plane every sector is a diffeomorphism near the corner, "
-        "with the star's own derivative there, so that the surface is a graph near 0; r and the "
-        "gradient, a function of N, agree on the rays, and on closed sectors they are smooth: the "
-        "graph is C^1 with a Lipschitz gradient",
-    )
-
-
-def proposition(
-    setting: Setting, *, extra: int = 0, torsion_v: int = 1, turned: int = 0
-) -> Evidence:
-    """All parts of (prop:assembly) for arbitrary angles and quadratic curvatures, as series.
-
-    extra: difference of the curvatures on the two sides of a ray; torsion_v: of the odd rays;
-    turned: angle left between the first tangents of two sectors on their ray.
-    """
-    return combined(
-        {
-            "frames exist": frenet_frames_exist(setting),
-            "origin": origin(setting),
-            "sectors": goursat(setting, torsion_v=torsion_v),
-            "frames on the rays": assembly_frames(setting),
-            "gluing": glue(setting, extra=extra, turned=turned),
-            "corner": corner_limit(setting),
-            "graph": smooth_across(setting, chart="tangent plane"),
-        },
-        shown="for arbitrary angles and curvatures (series to degree 4 with symbols; existence by "
-        "Picard's iteration and textbook linear equations): every sector exists, its frames on the "
-        "rays are the given ones, position and normal agree on the rays, and |N_u x N_v| -> sin "
-        "alpha_i > 0 makes it a C^{1,1} graph near 0",
     )

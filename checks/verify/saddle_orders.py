@@ -98,8 +98,8 @@ def dupin(setting: Setting, *, power: int = 1, sign: int = -1) -> Evidence:
             "smooth points": identities(setting, residuals, shown="second form"),
             "branch point": leading_form(setting, sign=sign),
         },
-        shown="to second order the height over the tangent plane is -sigma sin(phi) u v at a smooth "
-        "point and -sigma sin(alpha_i) u v on each sector at a branch point: it vanishes along the "
+        shown="to second order the height over the tangent plane is -sigma sin(phi) u v at smooth "
+        "points and -sigma sin(alpha_i) u v on each sector at a branch point: it vanishes along the "
         "asymptotic directions and nowhere else",
     )
 
@@ -149,9 +149,8 @@ def order_elsewhere(setting: Setting, *, expected: int = 2, through: bool = True
             inside = (theta, sp.pi - theta) * 2
             yield from _has_order(inside, expected, f"inside a sector, theta = {theta}")
             for other in (sp.pi / 4, sp.pi / 2, 2 * sp.pi / 3):
-                on_ray = (other, sp.pi - other, sp.pi - theta, theta)
-                if not through:
-                    on_ray = (other, 2 * sp.pi - other - theta, theta)
+                behind = (sp.pi - other, sp.pi - theta) if through else (2 * sp.pi - other - theta,)
+                on_ray = (other, *behind, theta)
                 yield from _has_order(on_ray, expected, f"on a ray, angles {theta}, {other}")
         yield from _has_order(star_saddle.regular_star(3), 3, "centre of the monkey saddle")
         yield from _has_order(star_saddle.regular_star(2), 2, "centre of the saddle")
@@ -223,7 +222,7 @@ def height_keeps_its_sign(setting: Setting, *, sign: int = -1, bend: int = 0) ->
     return identities(
         setting,
         residuals,
-        shown="on an Amsler sector the height z over the plane at the corner is 0 on both edges and "
+        shown="on an Amsler sector the height z over the corner's plane is 0 on both edges and "
         "z_uv = -sigma sin(phi) N.e_3: as long as N.e_3 > 0 it has the sign of -sigma on the whole "
         "sector, so that all 2m changes of sign reach the boundary",
     )
