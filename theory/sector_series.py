@@ -57,6 +57,26 @@ def cut(p: Series, order: int) -> Series:
     return kept
 
 
+def product(p: Series, q: Series, order: int) -> Series:
+    """Product up to a total degree in (u, v): only terms that survive are multiplied."""
+    parts = _by_degree(q, order)
+    total = RING.zero
+    for i, first in enumerate(_by_degree(p, order)):
+        if first:
+            rest = sum(parts[: order + 1 - i], RING.zero)
+            total += first * rest
+    return cut(total, order)
+
+
+def _by_degree(p: Series, order: int) -> list[Series]:
+    """Homogeneous parts in (u, v) of the degrees 0, ..., order."""
+    parts: list[dict[tuple[int, ...], Any]] = [{} for _ in range(order + 1)]
+    for m, c in p.terms():
+        if m[0] + m[1] <= order:
+            parts[m[0] + m[1]][m] = c
+    return [RING.from_dict(terms) for terms in parts]
+
+
 def integral(p: Series, along: int) -> Series:
     """Integral from 0 along u (0) or v (1)."""
     out: dict[tuple[int, ...], Any] = {}
@@ -84,7 +104,7 @@ def sine_and_cosine(excess: Series, order: int) -> tuple[Series, Series]:
     for n in range(order + 1):
         sine += power * (_S, _C, -_S, -_C)[n % 4]
         cosine += power * (_C, -_S, -_C, _S)[n % 4]
-        power = cut((power * excess).mul_ground(sp.QQ(1, n + 1)), order)
+        power = product(power, excess, order).mul_ground(sp.QQ(1, n + 1))
     return cut(sine, order), cut(cosine, order)
 
 
@@ -109,7 +129,7 @@ def _carried(start: list[Frame], rates: Any, along: int, order: int) -> list[Fra
                 total = RING.zero
                 for other in range(3):
                     if rates[row][other] != 0:
-                        total += cut(rates[row][other] * frame[other][x], order)
+                        total += product(rates[row][other], frame[other][x], order)
                 entries.append(cut(start[row][x] + integral(total, along), order))
             moved.append((entries[0], entries[1], entries[2]))
         if moved == frame:
@@ -153,7 +173,9 @@ def sector_series(
 
 
 def _combined(a: Series, first: Frame, b: Series, second: Frame, order: int) -> Frame:
-    x, y, z = (cut(a * p + b * q, order) for p, q in zip(first, second, strict=True))
+    x, y, z = (
+        product(a, p, order) + product(b, q, order) for p, q in zip(first, second, strict=True)
+    )
     return (x, y, z)
 
 

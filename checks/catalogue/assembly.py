@@ -55,6 +55,7 @@ _PROPOSITION = (
                     Mutant(name="curvatures differ on the two sides of a ray", given={"extra": 1}),
                     Mutant(name="torsion -1 on all rays", given={"torsion_v": -1}),
                     Mutant(name="angles that leave a gap", given={"turned": 1}),
+                    Mutant(name="an angle pi", given={"straight_angle": True}),
                 ),
                 tier="full",
             ),
@@ -76,6 +77,7 @@ _PROPOSITION = (
                 ),
                 mutants=(
                     Mutant(name="torsion -1 on all rays", given={"torsion_odd": -1}),
+                    Mutant(name="five sectors", given={"count": 5}),
                     Mutant(
                         name="sum of the angles 2 pi + pi/100", given={"widened": "0.01"}, near=True
                     ),
@@ -269,6 +271,7 @@ _PROPOSITION = (
                 mutants=(
                     Mutant(name="s*_(i-1).s_(i+1)", given={"ahead": 1}),
                     Mutant(name="squared", given={"power": 2}),
+                    Mutant(name="an angle pi", given={"straight_angle": True}),
                 ),
             ),
         ),

@@ -199,6 +199,7 @@ def straight_sector(
     second = goursat_series(
         binormals(E_1, N_0, (), -1, order=order),
         binormals(axis(sigma), N_0, (), torsion_v, order=order),
+        degree=order,
     )
     return first, second
 

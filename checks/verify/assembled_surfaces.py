@@ -64,9 +64,16 @@ def _curve(angle: float, curvature: Callable[[float], float], torsion: int, step
     return points[:: fine // steps]
 
 
-def _error(steps: int, widened: float, jump: float, factor: float, torsion_odd: int) -> float:
-    """Largest error of the star of order 3: sphere, angles on the edges, rays from both sides."""
+def _error(
+    steps: int, widened: float, jump: float, factor: float, torsion_odd: int, count: int
+) -> float:
+    """Largest error of the star of order 3: sphere, angles on the edges, rays from both sides.
+
+    count: of the sectors; if it is not 6, they have equal angles.
+    """
     angles, curvatures = STARS[3]
+    if count != len(angles):
+        angles, curvatures = (2 / count,) * count, (curvatures * 2)[:count]
     wide = [pi * a for a in angles[:-1]] + [pi * (angles[-1] + widened)]
     given = [_curvature(k) for k in curvatures]
     sectors = surfaces.assembled(
@@ -101,17 +108,19 @@ def example(
     jump: str = "0",
     factor: str = "1",
     torsion_odd: int = 1,
+    count: int = 6,
 ) -> Evidence:
     """Six sectors of unequal angles between bent rays, integrated on four grids.
 
     widened: of the last angle, over pi; jump: relative difference of the curvatures prescribed on
     the two sides of the rays; factor: of the turn of theta along the edges; torsion_odd: of the
-    odd rays.
+    odd rays; count: of the sectors.
     """
     del setting
     levels = [mp.mpf(1) / n for n in STEPS]
     errors = [
-        mp.mpf(_error(n, float(widened), float(jump), float(factor), torsion_odd)) for n in STEPS
+        mp.mpf(_error(n, float(widened), float(jump), float(factor), torsion_odd, count))
+        for n in STEPS
     ]
     return observed_order(
         levels,

@@ -1,6 +1,6 @@
 """Sectors between curves of arbitrary curvature, as series: frames, normals, gluing, regularity.
 
-Curvatures are cubic or shorter Taylor series with symbols as coefficients, angles symbols. Route
+Curvatures are quadratic Taylor polynomials with symbols as coefficients, angles symbols. Route
 one: the angle and a frame carried along v-lines (theory.sector_series). Route two: Frenet-Serret
 on both edges, the vector Moutard equation, the Lelieuvre formulae (theory.bent_curves).
 """
@@ -12,7 +12,8 @@ from typing import Any
 import sympy as sp
 
 from checks.evidence import Evidence, Setting
-from checks.exact import identities
+from checks.exact import combined, identities
+from checks.positivity import positivity
 from checks.printed import amsler_patches as straight
 from checks.printed import assembly as printed
 from checks.printed import asymptotic_frames as frames
@@ -34,11 +35,11 @@ from theory.vectors import Vector, added, cross, dot, scaled
 K, H = series.K[:3], series.H[:3]
 C, S = series.C, series.S
 E_3 = printed.E_3
-ORDER = 4
+ORDER = 5
 #: Degree to which the edges of a sector are compared.
-HIGH = 5
+HIGH = 6
 #: Degree of sectors with rational data, and the data: cos alpha, sin alpha, curvatures.
-DEGREE = 7
+DEGREE = 8
 _COSINE, _SINE = sp.Rational(3, 5), sp.Rational(4, 5)
 _BENT_U = (sp.Integer(1), sp.Rational(-1, 2), sp.Rational(2, 3))
 _BENT_V = (sp.Rational(-3, 4), sp.Rational(1, 3), sp.Rational(1, 5))
@@ -181,6 +182,7 @@ def moutard_normal(
     return goursat_series(
         binormals(E_1, E_3, on_u, -1, order=order),
         binormals(axis(sigma), E_3, on_v, torsion_v, order=order),
+        degree=order,
     )
 
 
@@ -252,6 +254,7 @@ def _rational_sector(sigma: int, torsion_v: int) -> dict[str, Any]:
     normal = goursat_series(
         binormals(E_1, E_3, _BENT_U, -1, order=DEGREE),
         binormals(e_v, E_3, _BENT_V, torsion_v, order=DEGREE),
+        degree=DEGREE,
     )
     residuals: dict[str, Any] = {}
     for i in range(DEGREE + 1):
@@ -321,8 +324,13 @@ def glue(setting: Setting, *, extra: int = 0, torsion: int = 0, turned: int = 0)
     )
 
 
-def corner_limit(setting: Setting, *, ahead: int = 0, power: int = 1) -> Evidence:
-    """Norm of N_u x N_v at the corner of sectors of either orientation, squared."""
+def corner_limit(
+    setting: Setting, *, ahead: int = 0, power: int = 1, straight_angle: bool = False
+) -> Evidence:
+    """Norm of N_u x N_v at the corner of sectors of either orientation, squared; its sign.
+
+    ahead: shift of the second index; straight_angle: whether the angle pi is admitted.
+    """
     residuals: dict[str, Any] = {}
     for i, sigma in ((1, 1), (2, -1)):
         found = carried(sigma)
@@ -334,11 +342,17 @@ def corner_limit(setting: Setting, *, ahead: int = 0, power: int = 1) -> Evidenc
         residuals[f"s*_(i-1).s_i - sin alpha_i, i = {i}"] = printed.corner_norm(i, ray) - sp.sin(
             ALPHA[i]
         )
-    return identities(
-        setting,
-        residuals,
+    t = sp.Symbol("t", positive=True)
+    angle = sp.pi if straight_angle else 2 * sp.atan(t)
+    return combined(
+        {
+            "norm": identities(setting, residuals, shown="norm"),
+            "sign": positivity(
+                setting, {"sin alpha": sp.expand_trig(sp.sin(angle))}, shown="positive"
+            ),
+        },
         shown="N_u, N_v are continuous up to the corner, where |N_u x N_v| = |s*_(i-1).s_i| = sin "
-        "alpha_i, positive for an angle in (0, pi), whatever the curvatures",
+        "alpha_i, 2t/(1 + t^2) > 0 with t = tan(alpha_i/2), whatever the curvatures",
     )
 
 

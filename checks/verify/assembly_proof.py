@@ -9,6 +9,8 @@ from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities
 from checks.verify.amsler_patches import E_1, axis
 from checks.verify.assembly import (
+    HIGH,
+    ORDER,
     assembly_frames,
     carried,
     corner_limit,
@@ -55,12 +57,18 @@ def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> E
 
 
 def proposition(
-    setting: Setting, *, extra: int = 0, torsion_v: int = 1, turned: int = 0
+    setting: Setting,
+    *,
+    extra: int = 0,
+    torsion_v: int = 1,
+    turned: int = 0,
+    straight_angle: bool = False,
 ) -> Evidence:
     """All parts of (prop:assembly) for arbitrary angles and quadratic curvatures, as series.
 
     extra: difference of the curvatures on the two sides of a ray; torsion_v: of the odd rays;
-    turned: angle left between the first tangents of two sectors on their ray.
+    turned: angle left between the first tangents of two sectors on their ray; straight_angle:
+    whether the angle pi is admitted.
     """
     return combined(
         {
@@ -69,13 +77,14 @@ def proposition(
             "sectors": goursat(setting, torsion_v=torsion_v),
             "frames on the rays": assembly_frames(setting),
             "gluing": glue(setting, extra=extra, turned=turned),
-            "corner": corner_limit(setting),
+            "corner": corner_limit(setting, straight_angle=straight_angle),
             "graph": smooth_across(setting, chart="tangent plane"),
         },
-        shown="for arbitrary angles and curvatures (series to degree 4 with symbols; existence by "
-        "Picard's iteration and textbook linear equations): every sector exists, its frames on the "
-        "rays are the given ones, position and normal agree on the rays, and |N_u x N_v| -> sin "
-        "alpha_i > 0 makes it a C^{1,1} graph near 0",
+        shown="for arbitrary angles and curvatures (existence by Picard's iteration and, textbook, "
+        "linear equations and smooth dependence; identities by series with symbols, to degree "
+        f"{ORDER} inside and {HIGH} on rays): every sector exists, its frames on the rays are the "
+        "given ones, position and normal agree on the rays, and |N_u x N_v| -> sin alpha_i > 0 "
+        "makes it a C^{1,1} graph near 0",
     )
 
 

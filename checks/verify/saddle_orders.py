@@ -99,7 +99,7 @@ def dupin(setting: Setting, *, power: int = 1, sign: int = -1) -> Evidence:
             "branch point": leading_form(setting, sign=sign),
         },
         shown="to second order the height over the tangent plane is -sigma sin(phi) u v at smooth "
-        "points and -sigma sin(alpha_i) u v on each sector at a branch point: it vanishes along the "
+        "points and -sigma sin(alpha_i) u v on each sector at a branch point: zero along the "
         "asymptotic directions and nowhere else",
     )
 
