@@ -10,6 +10,7 @@ import sympy as sp
 from theory import assembled_float
 from theory import sector_series as series
 from theory.bent_curves import binormals, frame_coefficients, lelieuvre_series, position_series
+from theory.errors import DomainError
 from theory.goursat_angle import goursat_angle
 from theory.moutard import goursat_series
 
@@ -81,3 +82,18 @@ def test_counts_of_crossings_and_turns():
     turn = [2 * pi * k / 60 for k in range(60)]
     assert assembled_float.upward_crossings([sin(3 * t + 0.1) for t in turn]) == 3
     assert assembled_float.winding([(cos(2 * t), -sin(2 * t), 1.0) for t in turn]) == -2
+
+
+@pytest.mark.parametrize(
+    ("angles", "length", "steps"),
+    [
+        ([pi / 2] * 3, 0.5, 4),
+        ([pi, pi / 3, pi / 3, pi / 3], 0.5, 4),
+        ([pi / 2] * 4, 0.0, 4),
+        ([pi / 2] * 4, float("nan"), 4),
+        ([pi / 2] * 4, 0.5, 0),
+    ],
+)
+def test_data_of_no_assembly_are_refused(angles, length, steps):
+    with pytest.raises(DomainError):
+        assembled_float.assembled(angles, [lambda t: 0.0] * 4, length=length, steps=steps)

@@ -7,10 +7,12 @@ u-lines. scipy is imported when a function is called.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import cos, sin
+from math import cos, pi, sin
 from typing import Any
 
 import numpy as np
+
+from theory.errors import DomainError
 
 Curvature = Callable[[float], float]
 TOLERANCE = 1e-12
@@ -101,8 +103,13 @@ def assembled(
     """Sectors 1, ..., 2m of a star; angles alpha_i, curvatures of the rays 1, ..., 2m.
 
     torsions: of the rays of even and of odd index; other_side: curvatures that the rays have as
-    second edge of their sectors, if they differ.
+    second edge of their sectors, if they differ. Raises DomainError where the numbers of angles and
+    curvatures differ, an angle is not in (0, pi), or the length or the steps are not positive.
     """
+    if len(angles) != len(curvatures) or not all(0 < alpha < pi for alpha in angles):
+        raise DomainError("every ray needs a curvature, and every sector an angle in (0, pi)")
+    if not length > 0 or steps < 1:
+        raise DomainError(f"length and steps must be positive, not {length} and {steps}")
     count, angle = len(angles), 0.0
     ends: list[tuple[float, float]] = []
     for alpha in angles:
@@ -167,4 +174,4 @@ def upward_crossings(heights: Sequence[float]) -> int:
 def winding(vectors: Sequence[Any]) -> int:
     """Turns of the first two components along a closed sequence of vectors."""
     z = np.array([complex(v[0], v[1]) for v in vectors])
-    return round(float(np.sum(np.angle(np.roll(z, -1) / z))) / (2 * np.pi))
+    return round(float(np.sum(np.angle(np.roll(z, -1) / z))) / (2 * pi))

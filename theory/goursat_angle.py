@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from theory.errors import DomainError
+
 SWEEPS = 4
 
 
@@ -16,7 +18,11 @@ def goursat_angle(alpha: float, a: float, b: float, length: float, *, steps: int
 
     >>> float(goursat_angle(1.0, 0.5, 0.0, 1.0, steps=4)[2, 0])
     1.25
+
+    Raises DomainError where the length or the steps are not positive.
     """
+    if not length > 0 or steps < 1:
+        raise DomainError(f"length and steps must be positive, not {length} and {steps}")
     t = np.linspace(0, length, steps + 1)
     theta = np.zeros((steps + 1, steps + 1))
     theta[:, 0], theta[0, :] = alpha + a * t, alpha + b * t

@@ -236,6 +236,15 @@ _PROPOSITION = (
         rests_on=("3.2.assembly-goursat", "3.2.star-neighbourhood"),
         checks=(
             Check(
+                name="fundamental forms on the rays",
+                run=_PROOF + "forms_on_rays",
+                routes=("stated forms", "sectors of either orientation, as series"),
+                mutants=(
+                    Mutant(name="second form reversed", given={"sign": -1}),
+                    Mutant(name="K = +1", given={"curved": 1}),
+                ),
+            ),
+            Check(
                 name="ray from both sides",
                 run=_RUN + "glue",
                 routes=(

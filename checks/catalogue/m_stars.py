@@ -162,6 +162,15 @@ _STARS = (
         rests_on=("def:m-star",),
         checks=(
             Check(
+                name="polar angles of a sector",
+                run=_RUN + "cone",
+                routes=("printed combination", "cross products with the rays, symbolic"),
+                mutants=(
+                    Mutant(name="rays i, i + 1", given={"first": 0, "second": 1}),
+                    Mutant(name="rays i - 1, i + 1", given={"second": 1}),
+                ),
+            ),
+            Check(
                 name="open, with common rays",
                 run=_SETS + "neighbourhood",
                 routes=(

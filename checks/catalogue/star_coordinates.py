@@ -115,6 +115,15 @@ _COORDINATES = (
         rests_on=("3.2.star-coordinates", "3.2.coordinate-patch"),
         checks=(
             Check(
+                name="both sides add up",
+                run=_RUN + "normal_part",
+                routes=("printed coordinates", "cross product with the ray"),
+                mutants=(
+                    Mutant(name="plus sign for eta < 0", given={"sign": 1}),
+                    Mutant(name="both points on one side", given={"opposite": True}),
+                ),
+            ),
+            Check(
                 name="two constants",
                 run=_SETS + "bi_lipschitz",
                 routes=(

@@ -5,9 +5,11 @@ from fractions import Fraction
 from math import pi, sqrt
 from typing import Any
 
+import sympy as sp
+
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities
-from checks.verify.amsler_patches import E_1, axis
+from checks.verify.amsler_patches import E_1, axis, coefficient
 from checks.verify.assembly import (
     HIGH,
     ORDER,
@@ -24,7 +26,9 @@ from checks.verify.assembly import (
 from checks.verify.nets import minus
 from checks.verify.patched_sectors import continuous_derivative
 from checks.verify.recursion_disk import FloatRow, compared
+from theory import sector_series as series
 from theory.goursat_angle import goursat_angle
+from theory.vectors import Vector, dot, scaled
 
 
 def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> Evidence:
@@ -86,6 +90,77 @@ def proposition(
         "given ones, position and normal agree on the rays, and |N_u x N_v| -> sin alpha_i > 0 "
         "makes it a C^{1,1} graph near 0",
     )
+
+
+def _on_ray(field: Any, along: str, shift: tuple[int, int]) -> list[Vector]:
+    """Taylor coefficients on a ray of a field, or of its derivative by u or v (shift)."""
+    found = []
+    for n in range(ORDER):
+        i, j = (n, 0) if along == "u" else (0, n)
+        factor = (i + 1 if shift[0] else 1) * (j + 1 if shift[1] else 1)
+        found.append(scaled(factor, read(field, i + shift[0], j + shift[1])))
+    return found
+
+
+def _products(first: list[Vector], second: list[Vector], n: int) -> Any:
+    """Coefficient of t^n of an inner product."""
+    return sum((dot(first[k], second[n - k]) for k in range(n + 1)), sp.Integer(0))
+
+
+def forms_on_rays(setting: Setting, *, sign: int = 1, curved: int = -1) -> Evidence:
+    """Three fundamental forms of sectors of either orientation on their rays, to degree ORDER - 1.
+
+    sign: of N_u.r_v = sigma sin theta; curved: the Gauss curvature claimed.
+    """
+    residuals: dict[str, Any] = {}
+    for sigma in (1, -1):
+        found = carried(sigma, order=HIGH)
+        sine, cosine = series.sine_and_cosine(found.theta_excess, HIGH)
+        for along in ("u", "v"):
+            r_u, r_v = (_on_ray(f, along, (0, 0)) for f in (found.r_u, found.r_v))
+            n_u, n_v = (_on_ray(found.normal, along, k) for k in ((1, 0), (0, 1)))
+            for n in range(ORDER):
+                place = (n, 0) if along == "u" else (0, n)
+                s, c = (coefficient(p, *place) for p in (sine, cosine))
+                unit = int(n == 0)
+                residuals[f"{along}-ray, t^{n}, sigma = {sigma}"] = reduced(
+                    [
+                        _products(r_u, r_u, n) - unit,
+                        _products(r_v, r_v, n) - unit,
+                        _products(r_u, r_v, n) - c,
+                        _products(n_u, r_u, n),
+                        _products(n_v, r_v, n),
+                        _products(n_u, r_v, n) - sign * sigma * s,
+                        _products(n_v, r_u, n) - sign * sigma * s,
+                        _products(n_u, n_u, n) - unit,
+                        _products(n_v, n_v, n) - unit,
+                        _products(n_u, n_v, n) + c,
+                    ]
+                )
+    return combined(
+        {
+            "forms": identities(setting, residuals, shown="forms"),
+            "jump": identities(setting, _jump(curved), shown="jump"),
+        },
+        shown="on a ray, from both sides: unit speed, third form 1 along it, h(T, T) = 0 and h(T, "
+        "N x T) = -1 or +1 by the family; only h(N x T, N x T) jumps, by 2 (cot theta + cot "
+        "theta'), which is finite: second derivatives of the graph are bounded",
+    )
+
+
+def _jump(curved: int) -> dict[str, Any]:
+    """Second form in the frame of the ray from its values on T and on a line at +theta, -theta."""
+    theta, other, b = sp.symbols("theta theta_2 b", positive=True)
+    values = []
+    for angle in (other, -theta):
+        d = sp.Symbol("d")
+        form = 2 * b * sp.cos(angle) * sp.sin(angle) + d * sp.sin(angle) ** 2
+        values.append(sp.solve(form, d)[0])
+    return {
+        "jump": values[0] - values[1] + 2 * b * (sp.cot(theta) + sp.cot(other)),
+        "determinant of the second form for b = 1": sp.Matrix([[0, 1], [1, values[0]]]).det()
+        - curved,
+    }
 
 
 def lengths(setting: Setting, *, share: str = "1", rise: str = "1") -> Evidence:

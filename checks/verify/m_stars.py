@@ -79,12 +79,12 @@ _DATA = (
     ("angles 1/2, 1/4, 3/4, 1/2 of pi, four lengths", ("1/2", "1/4", "3/4", "1/2"),
      ("1", "2", "1/3", "5"), True),
     ("eight angles pi/4", ("1/4",) * 8, ("1/2",) * 8, True),
-    ("seven angles pi/3 too many: sum 7 pi/3", ("1/3",) * 5 + ("2/3",), ("1",) * 6, False),
+    ("six angles of sum 7 pi/3", ("1/3",) * 5 + ("2/3",), ("1",) * 6, False),
     ("an angle pi", ("1", "1/4", "1/4", "1/2"), ("1",) * 4, False),
     ("an angle 0", ("0", "1/2", "3/4", "3/4"), ("1",) * 4, False),
     ("a length 0", ("1/3",) * 6, ("1",) * 5 + ("0",), False),
     ("five angles", ("2/5",) * 5, ("1",) * 5, False),
-    ("two rays", ("2/3", "2/3", "2/3"), ("1",) * 3, False),
+    ("three angles 2 pi/3", ("2/3", "2/3", "2/3"), ("1",) * 3, False),
 )  # fmt: skip
 
 
@@ -156,6 +156,25 @@ def pair_coordinates(setting: Setting, *, sign: int = -1, behind: int = -1) -> E
         },
         shown="x determines (xi, eta) on both sides of ray i, the coefficient of s_(i-1) being "
         "-eta >= 0, and the two formulas agree on the ray",
+    )
+
+
+def normal_part(setting: Setting, *, sign: int = -1, opposite: bool = False) -> Evidence:
+    """Part normal to ray i of the difference of two points on either side of it.
+
+    sign: of eta in the formula for eta < 0; opposite: whether both points are on the same side.
+    """
+    a, h, first, second = sp.symbols("a h xi_1 xi_2", positive=True)
+    x = printed.pair_point(ray, RAY, first, a, positive=True)
+    y = printed.pair_point(ray, RAY, second, -h, positive=False, sign=sign)
+    if opposite:
+        y = printed.pair_point(ray, RAY, second, h, positive=True)
+    stated = a * sp.sin(ALPHA[RAY + 1]) + h * sp.sin(ALPHA[RAY])
+    return identities(
+        setting,
+        {"normal part": cross(ray(RAY), gap(x, y))[2] - stated},
+        shown="for eta = a > 0 and eta = -h < 0 the part of x - y normal to the ray is a "
+        "sin(alpha_(i+1)) + h sin(alpha_i), at least (a + h) times the lesser sine: both sides add",
     )
 
 
