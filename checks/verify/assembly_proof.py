@@ -1,6 +1,6 @@
 """The proposition on assembly as a whole: gluing to a C^{1,1} graph, explicit lengths."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from math import pi, sqrt
 from typing import Any
@@ -74,16 +74,22 @@ def proposition(
     turned: angle left between the first tangents of two sectors on their ray; straight_angle:
     whether the angle pi is admitted.
     """
+    steps: dict[str, Callable[[], Evidence]] = {
+        "corner": lambda: corner_limit(setting, straight_angle=straight_angle),
+        "origin": lambda: origin(setting),
+        "frames exist": lambda: frenet_frames_exist(setting),
+        "gluing": lambda: glue(setting, extra=extra, turned=turned),
+        "frames on the rays": lambda: assembly_frames(setting),
+        "graph": lambda: smooth_across(setting, chart="tangent plane"),
+        "sectors": lambda: goursat(setting, torsion_v=torsion_v),
+    }
+    parts: dict[str, Evidence] = {}
+    for name, step in steps.items():
+        parts[name] = step()
+        if parts[name].outcome == "fail":
+            break
     return combined(
-        {
-            "frames exist": frenet_frames_exist(setting),
-            "origin": origin(setting),
-            "sectors": goursat(setting, torsion_v=torsion_v),
-            "frames on the rays": assembly_frames(setting),
-            "gluing": glue(setting, extra=extra, turned=turned),
-            "corner": corner_limit(setting, straight_angle=straight_angle),
-            "graph": smooth_across(setting, chart="tangent plane"),
-        },
+        parts,
         shown="for arbitrary angles and curvatures (existence by Picard's iteration and, textbook, "
         "linear equations and smooth dependence; identities by series with symbols, to degree "
         f"{ORDER} inside and {HIGH} on rays): every sector exists, its frames on the rays are the "
