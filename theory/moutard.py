@@ -28,16 +28,21 @@ def curve_normals(frame: sp.Matrix, curvature: Any, torsion: int, *, order: int)
     return coefficients
 
 
-def goursat_series(on_u_axis: Sequence[Vector], on_v_axis: Sequence[Vector]) -> Series:
+def goursat_series(
+    on_u_axis: Sequence[Vector], on_v_axis: Sequence[Vector], *, degree: int | None = None
+) -> Series:
     """Taylor coefficients of N from those on the axes, whose first members must agree.
 
-    Row i, column j belongs to u^i v^j; as many rows and columns as members are given.
+    Row i, column j belongs to u^i v^j; as many rows and columns as members are given, but no total
+    degree above the given one.
     """
     rows, columns = len(on_u_axis), len(on_v_axis)
     normal: Series = {(i, 0): a for i, a in enumerate(on_u_axis)}
     normal |= {(0, j): a for j, a in enumerate(on_v_axis)}
     for i in range(rows - 1):
         for j in range(columns - 1):
+            if degree is not None and i + j + 2 > degree:
+                break
             source = _source(normal, i, j)
             entry = scaled(sp.Rational(1, (i + 1) * (j + 1)), source)
             normal[i + 1, j + 1] = _expanded(entry)

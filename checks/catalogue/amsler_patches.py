@@ -1,13 +1,10 @@
-"""Claims of section 3.2, Amsler sectors patched around a point: the monkey saddle."""
+"""Claims of section 3.2, Amsler sectors patched around a point."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
-_DATA = (
-    (
-        r"$\mathbf{n}$, $\mathbf{e}_u$, $\mathbf{e}_v$ unit vectors, $\mathbf{e}_u \perp "
-        r"\mathbf{n}$, $\mathbf{e}_v \perp \mathbf{n}$, and $\mathbf{z} \in \mathbb{R}^3$"
-    ),
-)
+_DATA_RUN = "checks.verify.amsler_patches:"
+_RUN = "checks.verify.patched_sectors:"
+
 _PATCH = (
     (
         r"$\mathbf{z} = 0$, $\mathbf{n} = \mathbf{e}_3$; $\mathbf{e}_u = \mathbf{s}_i$, "
@@ -17,77 +14,6 @@ _PATCH = (
     r"(used, not stated) indices are cyclic modulo $2m$",
 )
 
-_BOUNDARY = (
-    Claim(
-        id="amsler-frame",
-        section="3.2",
-        where="equation (amsler-frame), lines 496-497, the normal",
-        kind="equation",
-        statement=r"An Amsler sector has $N(u, 0) = \cos u\,\mathbf{n} + \sin u\,\mathbf{n} \times "
-        r"\mathbf{e}_u$ and $N(0, v) = \cos v\,\mathbf{n} - \sin v\,\mathbf{n} \times "
-        r"\mathbf{e}_v$ on its bounding curves.",
-        labels=("amsler-frame",),
-        hypotheses=_DATA,
-    ),
-    Claim(
-        id="3.2.amsler-boundary-lines",
-        section="3.2",
-        where="equation (amsler-frame), line 498, the position",
-        kind="equation",
-        statement=r"The bounding curves of an Amsler sector are straight: $r(u, 0) = \mathbf{z} + "
-        r"u\,\mathbf{e}_u$ and, with the argument as printed, $r(v, 0) = \mathbf{z} + v\,"
-        r"\mathbf{e}_v$.",
-        hypotheses=_DATA,
-        rests_on=("amsler-frame",),
-    ),
-    Claim(
-        id="3.2.amsler-frame-solves-u",
-        section="3.2",
-        where="line 501",
-        kind="sentence",
-        statement=r"The data on $v = 0$ solve the first Frenet system of (eq:frames), with "
-        r"$\kappa^u = 0$.",
-        hypotheses=_DATA,
-        rests_on=("amsler-frame", "3.2.amsler-boundary-lines", "eq:frames"),
-    ),
-    Claim(
-        id="3.2.amsler-frame-solves-v",
-        section="3.2",
-        where="line 501",
-        kind="sentence",
-        statement=r"The data on $u = 0$ solve the second Frenet system of (eq:frames), with "
-        r"$\kappa^v = 0$.",
-        hypotheses=_DATA,
-        rests_on=("amsler-frame", "3.2.amsler-boundary-lines", "eq:frames"),
-    ),
-    Claim(
-        id="3.2.goursat",
-        section="3.2",
-        where="line 501",
-        kind="sentence",
-        statement=r"The Goursat problem of the Moutard equation $N_{uv} = -(N_u \cdot N_v) N$ with "
-        r"these data has a solution $N(u, v) \in S^2$, smooth inside the sector and continuous "
-        r"up to its boundary.",
-        hypotheses=(
-            *_DATA,
-            (
-                r"(used, not stated) the solution keeps $\|N\| = \|N_u\| = \|N_v\| = 1$ and exists "
-                r"on the whole rectangle of the data"
-            ),
-        ),
-        rests_on=("amsler-frame", "eq:moutard"),
-    ),
-    Claim(
-        id="3.2.goursat-boundary",
-        section="3.2",
-        where="line 501",
-        kind="sentence",
-        statement=r"The solution of the Goursat problem takes the prescribed values $N(u, 0)$ on "
-        r"$v = 0$ and $N(0, v)$ on $u = 0$.",
-        hypotheses=(*_DATA, r"(used, not stated) the data agree at $u = v = 0$"),
-        rests_on=("3.2.goursat", "amsler-frame"),
-    ),
-)
 
 _PATCHING = (
     Claim(
@@ -100,6 +26,21 @@ _PATCHING = (
         r"$(\mathbf{s}_{i-1}, \mathbf{s}_i)$ for odd $i$.",
         hypotheses=_PATCH,
         rests_on=("def:m-star", "amsler-frame"),
+        checks=(
+            Check(
+                name="coordinates of the sector",
+                run=_RUN + "directions",
+                routes=(
+                    "printed directions",
+                    "x = u e_u + v e_v on two sectors",
+                ),
+                mutants=(
+                    Mutant(name="even for odd", given={"even": 1}),
+                    Mutant(name="not exchanged for odd i", given={"exchanged": False}),
+                    Mutant(name="rays i, i + 1", given={"shift": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.rays-consistent",
@@ -110,6 +51,22 @@ _PATCHING = (
         r"do not depend on the sector by which they are defined.",
         hypotheses=_PATCH,
         rests_on=("3.2.patch-directions", "3.2.amsler-boundary-lines", "eq:sector-coords"),
+        checks=(
+            Check(
+                name="both formulas on a ray",
+                run=_RUN + "rays_consistent",
+                routes=(
+                    "data of sector i",
+                    "data of sector i + 1",
+                ),
+                mutants=(
+                    Mutant(name="not exchanged for odd i", given={"exchanged": False}),
+                    Mutant(
+                        name="same torsion on both families, in one sector", given={"sign_v": 1}
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.origin-consistent",
@@ -119,6 +76,17 @@ _PATCHING = (
         statement=r"$r_i(0, 0) = 0$ and $N_i(0, 0) = \mathbf{e}_3$ for every $i$.",
         hypotheses=_PATCH,
         rests_on=("3.2.patch-directions",),
+        checks=(
+            Check(
+                name="both edges of three sectors",
+                run=_RUN + "origin_consistent",
+                routes=(
+                    "printed data",
+                    "values at 0",
+                ),
+                mutants=(Mutant(name="at the distance 1", given={"at_distance": 1}),),
+            ),
+        ),
     ),
     Claim(
         id="3.2.patch-front",
@@ -130,6 +98,20 @@ _PATCHING = (
         r"$N_i$.",
         hypotheses=_PATCH,
         rests_on=("3.2.goursat", "eq:lelieuvre"),
+        checks=(
+            Check(
+                name="closed form and curvature -1",
+                run=_DATA_RUN + "front",
+                routes=(
+                    "identities of a weakly harmonic normal",
+                    "vector Moutard equation with Frenet data, as series",
+                ),
+                mutants=(
+                    Mutant(name="r_v = N_v x N", given={"sign_v": 1}),
+                    Mutant(name="N_uv = +(N_u.N_v) N", given={"moutard": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.corner-limit",
@@ -140,6 +122,57 @@ _PATCHING = (
         r"\mathbf{s}_i \ne 0$ on $S_i$, a vector equal to a scalar as printed.",
         hypotheses=_PATCH,
         rests_on=("3.2.patch-directions", "3.2.goursat-boundary", "3.2.dual-vectors"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_RUN + "corner_limit",
+                routes=(
+                    "printed value",
+                    "derivatives of the boundary normals",
+                ),
+                mutants=(
+                    Mutant(name="value 0", given={"sign": 0}),
+                    Mutant(name="sector i + 1", given={"next_ray": True}),
+                ),
+            ),
+            Check(
+                name="times the normal",
+                run=_RUN + "corner_limit",
+                routes=(
+                    "printed value",
+                    "derivatives of the boundary normals",
+                ),
+                mutants=(
+                    Mutant(name="a number", given={"along_normal": False}),
+                    Mutant(name="twice", given={"along_normal": True, "sign": 2}),
+                    Mutant(
+                        name="reversed for both parities", given={"along_normal": True, "sign": -1}
+                    ),
+                    Mutant(name="sector i + 1", given={"along_normal": True, "next_ray": True}),
+                ),
+                form="corrected",
+                given={"along_normal": True},
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$\lim_{(u,v)\to(0,0)}N_u\times N_v=\pm\,\mathbf s^*_{i-1}\cdot\mathbf "
+                "s_i$"
+            ),
+            corrected=(
+                r"$\lim N_u\times N_v=\pm(\mathbf s^*_{i-1}\cdot\mathbf s_i)\,\mathbf "
+                "e_3$, with $+$ for even $i$"
+            ),
+            kind="misprint",
+            witness=(
+                "The left side is a vector, the right side a number: $i$ odd, "
+                r"$\alpha_i=\pi/2$: $N_u=\mathbf e_2$, $N_v=\mathbf e_1$ for $\mathbf "
+                r"e_u=\mathbf e_1$, $\mathbf e_v=\mathbf e_2$; $N_u\times N_v=-\mathbf "
+                r"e_3$, $\mathbf s^*_{i-1}\cdot\mathbf s_i=1$."
+            ),
+            conclusion_survives=True,
+            remark="In the proof of Prop. prop:assembly the norm is taken, rightly.",
+        ),
     ),
     Claim(
         id="3.2.regular-rectangle",
@@ -150,6 +183,20 @@ _PATCHING = (
         r"< c_i,\ 0 < v_i < d_i\} \subset S_i$.",
         hypotheses=(*_PATCH, r"(used, not stated) $d_i > 0$ is claimed along with $c_i$"),
         rests_on=("3.2.corner-limit",),
+        checks=(
+            Check(
+                name="angle below pi",
+                run=_RUN + "regular_rectangle",
+                routes=(
+                    "bound alpha + u v by integrating sin theta",
+                    "balls of Painleve III",
+                ),
+                mutants=(
+                    Mutant(name="three times the rectangle", given={"share": "3"}),
+                    Mutant(name="theta_uv at most 99/100", given={"slope": "99/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.patch-extends",
@@ -159,6 +206,20 @@ _PATCHING = (
         statement=r"$r_i \in C^\infty(J_i) \cap C(\overline{J_i})$.",
         hypotheses=_PATCH,
         rests_on=("3.2.regular-rectangle", "3.2.patch-front"),
+        checks=(
+            Check(
+                name="unit speeds up to the edges",
+                run=_DATA_RUN + "extends",
+                routes=(
+                    "identities for any solution",
+                    "Picard's iteration",
+                ),
+                mutants=(
+                    Mutant(name="N_uv = +(N_u.N_v) N", given={"sign": 1}),
+                    Mutant(name="speed 2", given={"stretched": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.patched-saddle",
@@ -176,102 +237,63 @@ _PATCHING = (
             ),
         ),
         rests_on=("3.2.patch-extends", "3.2.rays-consistent", "def:m-star", "def:m-saddle"),
+        checks=(
+            Check(
+                name="as printed",
+                part="star",
+                run=_RUN + "patched_star",
+                routes=(
+                    "printed rectangles",
+                    "star of the lesser lengths",
+                ),
+                mutants=(Mutant(name="lengths not cut", given={"same_lengths": False}),),
+            ),
+            Check(
+                name="rectangles with their rays",
+                run=_RUN + "patched_star",
+                routes=(
+                    "rectangles with rays",
+                    "star of the lesser lengths",
+                ),
+                mutants=(
+                    Mutant(name="open rectangles", given={"rays_included": False}),
+                    Mutant(
+                        name="lengths not cut", given={"rays_included": True, "same_lengths": False}
+                    ),
+                ),
+                form="corrected",
+                given={"rays_included": True},
+                part="star",
+            ),
+            Check(
+                name="smooth across the rays",
+                run=_RUN + "continuous_derivative",
+                routes=(
+                    "angle on the edges, by its equation",
+                    "star's vectors by Cramer's rule",
+                ),
+                mutants=(
+                    Mutant(name="rays of curvature 1", given={"bend": 1}),
+                    Mutant(name="angles exchanged", given={"exchanged": True}),
+                ),
+                part="m-saddle",
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$J_i=\{0<u_i<c_i,0<v_i<d_i\}$, $T=\bigcup_iJ_i$ is an $m$-star",
+            corrected=(
+                r"$J_i=\{0\le u_i<c_i,0\le v_i<d_i\}$, with $c_i=c_{i+1}$ for even $i$ "
+                "and $d_i=d_{i+1}$ for odd $i$"
+            ),
+            kind="misprint",
+            witness=(
+                "$u_i>0$ and $v_i>0$ in every $J_i$: the origin and the rays are in no "
+                "$J_i$, and the union has $2m$ components"
+            ),
+            conclusion_survives=True,
+            remark="The lengths agree after shrinking, as the sentence allows.",
+        ),
     ),
 )
 
-_MONKEY_SADDLE = (
-    Claim(
-        id="fig:monkeysaddleconstruction",
-        section="3.2",
-        where="figure (fig:monkeysaddleconstruction), lines 507-548",
-        kind="figure",
-        statement=r"Six smooth sectors make a $3$-saddle with $K = -1$ of geodesic radius 1, and "
-        "the normal is continuous across their common rays.",
-        labels=(
-            "fig:monkey_saddle_construction_withnormal_stage1",
-            "fig:monkey_saddle_construction_withnormal_stage2",
-            "fig:monkey_saddle_construction_withnormal_stage3",
-            "fig:monkey_saddle_construction_withnormal_stage4",
-            "fig:monkey_saddle_construction_withnormal_stage5",
-            "fig:monkey_saddle_construction_withnormal_stage6",
-            "fig:monkeysaddleconstruction",
-        ),
-        hypotheses=(r"$2m = 6$, $\alpha_k = \pi/3$, Amsler sectors",),
-        rests_on=("3.2.patched-saddle", "PIII"),
-    ),
-    Claim(
-        id="3.2.monkey-saddle-angles",
-        section="3.2",
-        where="line 550",
-        kind="number",
-        statement=r"$2m = 6$ and $\alpha_k = \pi/3$, $k = 1, \dots, 6$, are admissible data of a "
-        r"$3$-star: each is in $(0, \pi)$ and the sum is $2\pi$.",
-        rests_on=("def:m-star",),
-    ),
-    Claim(
-        id="3.2.normal-lipschitz",
-        section="3.2",
-        where="line 550",
-        kind="sentence",
-        statement="A continuous, piecewise smooth normal field on the star is globally Lipschitz.",
-        hypotheses=(
-            "finitely many sectors, on each of which the normal is smooth",
-            "(used, not stated) first derivatives are bounded up to the boundary of each sector",
-        ),
-        rests_on=("3.2.patched-saddle",),
-    ),
-    Claim(
-        id="3.2.immersion-c11",
-        section="3.2",
-        where="line 550",
-        kind="sentence",
-        statement=r"The patched immersion is $C^{1,1}$.",
-        hypotheses=(
-            *_PATCH,
-            (
-                r"(used, not stated) $C^{1,1}$ refers to a smooth structure of the surface, such "
-                r"as that of $\mathbb{H}^2$ or of the tangent plane, not to the sector coordinates"
-            ),
-        ),
-        rests_on=("3.2.normal-lipschitz", "3.2.patched-saddle"),
-    ),
-    Claim(
-        id="3.2.sectors-are-amsler",
-        section="3.2",
-        where="line 550",
-        kind="sentence",
-        statement="The restriction of the patched immersion to each sector is an Amsler sector.",
-        hypotheses=(
-            *_PATCH,
-            (
-                r"(used, not stated) a restriction of an Amsler sector to a bounded rectangle "
-                r"counts as one, or the front extends to $[0, \infty)^2$"
-            ),
-        ),
-        rests_on=("3.2.patched-saddle", "def:amsler-sector"),
-    ),
-    Claim(
-        id="3.2.not-coordinates-across-rays",
-        section="3.2",
-        where="remark, line 553",
-        kind="remark",
-        statement=r"The functions $u, v$, without the index of the sector, are not one-to-one on "
-        r"any open set that meets the boundary between two sectors.",
-        rests_on=("eq:sector-coords", "3.2.ray-coordinates-even"),
-    ),
-    Claim(
-        id="3.2.patching-principle",
-        section="3.2",
-        where="remark, line 553",
-        kind="remark",
-        statement=r"If $u$, $v$, $r(u, v)$ and $N(u, v)$ agree on all $S_i \cap S_j$, then they "
-        r"are continuous functions on the $m$-star $\bigcup_{i=1}^{2m} S_i$.",
-        hypotheses=(
-            "each function is continuous on each sector",
-            r"(used, not stated) each $S_i$ is closed in the star",
-        ),
-        rests_on=("3.2.ray-coordinates-even", "3.2.ray-coordinates-odd", "def:m-star"),
-    ),
-)
-
-CLAIMS: tuple[Claim, ...] = _BOUNDARY + _PATCHING + _MONKEY_SADDLE
+CLAIMS: tuple[Claim, ...] = _PATCHING

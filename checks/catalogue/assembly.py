@@ -1,6 +1,10 @@
-"""Claims of section 3.2, m-saddles, their assembly from curves, the order of saddleness."""
+"""Claims of section 3.2, assembly of m-saddles from curves: the proposition and its proof."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_RUN = "checks.verify.assembly:"
+_PROOF = "checks.verify.assembly_proof:"
+_SURFACES = "checks.verify.assembled_surfaces:"
 
 _ASSEMBLY = (
     (
@@ -10,32 +14,9 @@ _ASSEMBLY = (
     r"$\alpha_i \in (0, \pi)$, $\sum_{i=1}^{2m} \alpha_i = 2\pi$",
     r"(used, not stated) $L > 0$ and indices are cyclic modulo $2m$",
 )
-
-_SADDLES = (
-    Claim(
-        id="def:m-saddle",
-        section="3.2",
-        where="definition (def:m-saddle), lines 557-560",
-        kind="definition",
-        statement=r"An $m$-saddle is a $C^{1,1}$ map $r : T(\{\alpha_i\}, \{l_i\}) \to "
-        r"\mathbb{R}^3$ from an $m$-star whose restriction $r_i = r|_{S_i}$ is a PS-front: "
-        r"$r_i(u_i, v_i)$ and $N_i(u_i, v_i)$ are $C^{1M}$, and $N_i$ is weakly regular and "
-        r"Lorentz harmonic.",
-        labels=("def:m-saddle",),
-        hypotheses=(
-            r"(used, not stated) $r$ is an immersion, with a normal continuous on $T$",
-            r"(used, not stated) the smooth structure of $T$ to which $C^{1,1}$ refers",
-        ),
-        rests_on=("def:m-star", "eq:sector-coords", "eq:lelieuvre", "eq:lorentz_harmonic"),
-    ),
-    Claim(
-        id="3.2.order-of-saddleness",
-        section="3.2",
-        where="definition (def:m-saddle), line 558",
-        kind="definition",
-        statement=r"The order of saddleness of an $m$-saddle at the point $u_i = v_i = 0$ is $m$.",
-        rests_on=("def:m-saddle",),
-    ),
+_READING = (
+    r"(used, not stated) $F_i$ is the frame of $r$ along ray $i$",
+    r"(used, not stated) $C^{1,1}$ refers to the surface as a graph over its tangent planes",
 )
 
 _PROPOSITION = (
@@ -49,7 +30,7 @@ _PROPOSITION = (
         r"an $m$-saddle $r : T(\{\alpha_i\}, \{l_i\}) \to \mathbb{R}^3$ with the properties 1 "
         r"and 2.",
         labels=("prop:assembly",),
-        hypotheses=_ASSEMBLY,
+        hypotheses=_ASSEMBLY + _READING,
         rests_on=(
             "3.2.assembly-origin",
             "3.2.assembly-frames",
@@ -57,6 +38,60 @@ _PROPOSITION = (
             "3.2.assembly-glue",
             "3.2.assembly-regular",
             "def:m-saddle",
+        ),
+        checks=(
+            Check(
+                name="arbitrary angles and curvatures",
+                run=_PROOF + "proposition",
+                routes=(
+                    "angle theta_uv = sin theta and a carried frame, as series",
+                    (
+                        "Frenet-Serret on both edges, vector Moutard equation, Lelieuvre "
+                        "formulae, as series"
+                    ),
+                    "Picard's iteration",
+                ),
+                mutants=(
+                    Mutant(name="curvatures differ on the two sides of a ray", given={"extra": 1}),
+                    Mutant(name="torsion -1 on all rays", given={"torsion_v": -1}),
+                    Mutant(name="angles that leave a gap", given={"turned": 1}),
+                    Mutant(name="an angle pi", given={"straight_angle": True}),
+                ),
+                tier="full",
+            ),
+            Check(
+                name="explicit lengths",
+                run=_PROOF + "lengths",
+                routes=("bound by |theta_uv| <= 1", "angle integrated to second order"),
+                mutants=(
+                    Mutant(name="three times the room", given={"share": "3"}),
+                    Mutant(name="99 % of the bound", given={"rise": "99/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="six sectors integrated",
+                run=_SURFACES + "example",
+                routes=(
+                    "Moutard equation to second order",
+                    "Frenet-Serret and the angle's integral",
+                ),
+                mutants=(
+                    Mutant(name="torsion -1 on all rays", given={"torsion_odd": -1}),
+                    Mutant(name="five sectors", given={"count": 5}),
+                    Mutant(
+                        name="sum of the angles 2 pi + pi/100", given={"widened": "0.01"}, near=True
+                    ),
+                    Mutant(
+                        name="curvatures differ by 1 % on the two sides",
+                        given={"jump": "0.01"},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="geodesic curvature 1 % larger", given={"factor": "1.01"}, near=True
+                    ),
+                ),
+                tier="full",
+            ),
         ),
     ),
     Claim(
@@ -67,6 +102,20 @@ _PROPOSITION = (
         statement=r"$r(0, 0) = 0$ and $N(0, 0) = \mathbf{e}_3$.",
         hypotheses=_ASSEMBLY,
         rests_on=("def:m-saddle",),
+        checks=(
+            Check(
+                name="corner of both orientations",
+                run=_RUN + "origin",
+                routes=(
+                    "printed values",
+                    "angle and carried frame, as series",
+                ),
+                mutants=(
+                    Mutant(name="first derivative", given={"degree": 1}),
+                    Mutant(name="N = -e_3", given={"sign": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-frames",
@@ -78,6 +127,25 @@ _PROPOSITION = (
         r"($r_v(0) = \mathbf{s}_i$) and $N(0) = \mathbf{e}_3$.",
         hypotheses=_ASSEMBLY,
         rests_on=("eq:frames", "def:m-star"),
+        checks=(
+            Check(
+                name="frames of the surface on both edges",
+                run=_RUN + "assembly_frames",
+                routes=(
+                    "printed systems",
+                    "angle theta_uv = sin theta and a carried frame, as series",
+                    (
+                        "Frenet-Serret on both edges, vector Moutard equation, Lelieuvre "
+                        "formulae, as series"
+                    ),
+                ),
+                mutants=(
+                    Mutant(name="torsion -1 on odd rays", given={"torsion_v": -1}),
+                    Mutant(name="curvatures reversed", given={"curvature_sign": -1}),
+                    Mutant(name="N(0) = -e_3", given={"start": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-frenet-exists",
@@ -88,6 +156,22 @@ _PROPOSITION = (
         r"$[0, L)$.",
         hypotheses=_ASSEMBLY,
         rests_on=("eq:frames",),
+        checks=(
+            Check(
+                name="skew systems",
+                run=_RUN + "frenet_frames_exist",
+                routes=(
+                    "printed systems",
+                    "products of the series of a frame",
+                    "Picard's iteration",
+                ),
+                mutants=(
+                    Mutant(name="last row reversed", given={"back": -1}),
+                    Mutant(name="torsion +1", given={"torsion": 1}),
+                    Mutant(name="not orthonormal at the start", given={"orthonormal": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-boundary-normal",
@@ -97,6 +181,20 @@ _PROPOSITION = (
         statement=r"The angles and the curvatures determine $N$ on the boundary of every sector.",
         hypotheses=_ASSEMBLY,
         rests_on=("3.2.assembly-frenet-exists", "3.2.assembly-frames"),
+        checks=(
+            Check(
+                name="binormals of the edges",
+                run=_RUN + "boundary_normal",
+                routes=(
+                    "Frenet-Serret on one edge, as series",
+                    "angle and carried frame, as series",
+                ),
+                mutants=(
+                    Mutant(name="torsion -1 on odd rays", given={"torsion_v": -1}),
+                    Mutant(name="curvatures exchanged", given={"other": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-goursat",
@@ -107,6 +205,25 @@ _PROPOSITION = (
         r"each sector; it is weakly harmonic, so the Lelieuvre formulae give $r_i$.",
         hypotheses=_ASSEMBLY,
         rests_on=("3.2.assembly-boundary-normal", "eq:moutard", "eq:lelieuvre"),
+        checks=(
+            Check(
+                name="two routes to a sector",
+                run=_RUN + "goursat",
+                routes=(
+                    "angle theta_uv = sin theta and a carried frame, as series",
+                    (
+                        "Frenet-Serret on both edges, vector Moutard equation, Lelieuvre "
+                        "formulae, as series"
+                    ),
+                    "identities for any solution",
+                ),
+                mutants=(
+                    Mutant(name="N_uv = +(N_u.N_v) N", given={"sign": 1}),
+                    Mutant(name="torsion -1 on odd rays", given={"torsion_v": -1}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-glue",
@@ -117,6 +234,31 @@ _PROPOSITION = (
         r"r(t\,\mathbf{s}_i)$, $0 \le t < l_i$, with the normal of $F_i$.",
         hypotheses=_ASSEMBLY,
         rests_on=("3.2.assembly-goursat", "3.2.star-neighbourhood"),
+        checks=(
+            Check(
+                name="fundamental forms on the rays",
+                run=_PROOF + "forms_on_rays",
+                routes=("stated forms", "sectors of either orientation, as series"),
+                mutants=(
+                    Mutant(name="second form reversed", given={"sign": -1}),
+                    Mutant(name="K = +1", given={"curved": 1}),
+                ),
+            ),
+            Check(
+                name="ray from both sides",
+                run=_RUN + "glue",
+                routes=(
+                    "sector on one side, as series",
+                    "sector on the other side, as series",
+                ),
+                mutants=(
+                    Mutant(name="curvatures differ", given={"extra": 1}),
+                    Mutant(name="torsion +1 on the u-ray of one side", given={"torsion": 1}),
+                    Mutant(name="torsion -1 on the v-ray of one side", given={"torsion": -1}),
+                    Mutant(name="tangents differ", given={"turned": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-corner-limit",
@@ -127,6 +269,21 @@ _PROPOSITION = (
         r"\mathbf{s}_i| > 0$ on $S_i$.",
         hypotheses=_ASSEMBLY,
         rests_on=("3.2.assembly-goursat", "3.2.dual-vectors"),
+        checks=(
+            Check(
+                name="norm at the corner",
+                run=_RUN + "corner_limit",
+                routes=(
+                    "printed value",
+                    "angle and carried frame, as series",
+                ),
+                mutants=(
+                    Mutant(name="s*_(i-1).s_(i+1)", given={"ahead": 1}),
+                    Mutant(name="squared", given={"power": 2}),
+                    Mutant(name="an angle pi", given={"straight_angle": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-regular",
@@ -135,14 +292,60 @@ _PROPOSITION = (
         kind="sentence",
         statement=r"For small $l_i$ the patched normal is piecewise smooth and globally Lipschitz, "
         r"and $r : T \to \mathbb{R}^3$ is a $C^{1,1}$ immersion.",
-        hypotheses=(
-            *_ASSEMBLY,
-            (
-                r"(used, not stated) $C^{1,1}$ refers to a smooth structure of the surface: in the "
-                r"sector coordinates of $T$ the derivative jumps across a curved ray"
+        hypotheses=(*_ASSEMBLY,),
+        rests_on=("3.2.assembly-glue", "3.2.assembly-corner-limit"),
+        checks=(
+            Check(
+                name="in the plane of the star",
+                run=_PROOF + "smooth_across",
+                routes=(
+                    "angle on the edges, by its equation",
+                    "star's vectors by Cramer's rule",
+                ),
+                mutants=(Mutant(name="curvatures differ", given={"extra": 1}),),
+            ),
+            Check(
+                name="as a graph",
+                run=_PROOF + "smooth_across",
+                routes=(
+                    "projection of both sectors",
+                    "series of N and r on the ray from both sides",
+                ),
+                mutants=(
+                    Mutant(name="in the plane of the star", given={"chart": "star"}),
+                    Mutant(name="curvatures differ", given={"chart": "tangent plane", "extra": 1}),
+                ),
+                form="corrected",
+                given={"chart": "tangent plane"},
             ),
         ),
-        rests_on=("3.2.assembly-glue", "3.2.assembly-corner-limit"),
+        erratum=Erratum(
+            printed=(
+                r"$r:T\to\mathbb R^3$ is a $C^{1,1}$ immersion, $T\subset\mathbb R^2$ an "
+                "$m$-star"
+            ),
+            corrected=(
+                "$r(T)$ is a $C^{1,1}$ graph over its tangent plane near $0$; as a map "
+                r"of $T\subset\mathbb R^2$, $r$ is Lipschitz, and $C^{1,1}$ if all "
+                r"$\kappa_i=0$"
+            ),
+            kind="ambiguous",
+            witness=(
+                r"On ray $i$ let $K(t)=\int_0^t\kappa_i$. In the frame $(r_u,N\times "
+                r"r_u)$, $i$ even, $dr(\mathbf s_i)$ has the angle $0$, $dr(\mathbf "
+                r"s_{i-1})$ the angle $-\alpha_i-K$, $dr(\mathbf s_{i+1})$ the angle "
+                r"$\alpha_{i+1}-K$: these are images under one linear map only if $K=0$ "
+                r"or $\alpha_i+\alpha_{i+1}=\pi$. Six angles $\pi/3$, $\kappa_2=1$: "
+                r"$\mathbf s_1=\mathbf s_2-\mathbf s_3$, but $|r_u-dr(\mathbf "
+                r"s_3)|=2\sin\frac{\pi/3-t}2<1$ for $t>0$."
+            ),
+            conclusion_survives=True,
+            remark=(
+                "(def:m-star) gives $T$ a topology and no smooth structure; lengths and "
+                "curvatures of the rays leave no freedom to change $u$ or $v$. The "
+                "Lipschitz normal of the conclusion survives."
+            ),
+        ),
     ),
     Claim(
         id="3.2.assembly-generalises",
@@ -152,91 +355,21 @@ _PROPOSITION = (
         statement=r"The patching of Amsler sectors is the case $\kappa_i = 0$ of assembly.",
         hypotheses=_ASSEMBLY,
         rests_on=("prop:assembly", "3.2.patched-saddle"),
-    ),
-)
-
-_SADDLENESS = (
-    Claim(
-        id="3.2.tangent-plane-crossings",
-        section="3.2",
-        where="line 576",
-        kind="sentence",
-        statement=r"The order of saddleness $m_p$ is the number of times that a circuit in a small "
-        r"deleted neighbourhood of $p$ crosses the tangent plane at $p$ from below to above.",
-        hypotheses=(
-            (
-                "(used, not stated) the surface is an immersed $m$-saddle, and only crossings in "
-                r"one direction are counted"
+        checks=(
+            Check(
+                name="curvatures 0",
+                run=_RUN + "generalises",
+                routes=(
+                    "printed boundary data (amsler-frame)",
+                    "angle and carried frame, as series",
+                ),
+                mutants=(
+                    Mutant(name="curvatures 1", given={"bend": 1}),
+                    Mutant(name="N(0, v) turns like N(u, 0)", given={"sign_v": 1}),
+                ),
             ),
         ),
-        rests_on=("3.2.order-of-saddleness", "eq:def_phi"),
-    ),
-    Claim(
-        id="3.2.undulations-persist",
-        section="3.2",
-        where="line 576",
-        kind="sentence",
-        statement=r"The $m_p - 2$ undulations in excess of a regular saddle persist to the "
-        "boundary, so the buckling wavelength can shorten there while the surface stays isometric.",
-        hypotheses=(
-            "(used, not stated) the surface is a pseudospherical immersion as far as the boundary",
-        ),
-        rests_on=("3.2.tangent-plane-crossings",),
-    ),
-    Claim(
-        id="3.2.assembled-order",
-        section="3.2",
-        where="line 578",
-        kind="sentence",
-        statement=r"At the common point of the sectors of an assembled surface $m_p = m$, half the "
-        "number of sectors.",
-        hypotheses=_ASSEMBLY,
-        rests_on=("prop:assembly", "3.2.order-of-saddleness"),
-    ),
-    Claim(
-        id="3.2.dupin",
-        section="3.2",
-        where="line 578",
-        kind="sentence",
-        statement=r"The asymptotic directions at $p$ are those of the intersection of the surface "
-        r"with its tangent plane at $p$.",
-        hypotheses=("(used, not stated) negative curvature, near $p$",),
-        rests_on=("eq:metrics", "prop:assembly"),
-    ),
-    Claim(
-        id="3.2.directions-and-order",
-        section="3.2",
-        where="line 578",
-        kind="sentence",
-        statement=r"For every surface of the kind considered, the number of asymptotic directions "
-        r"that leave $p$ is the number of sectors, $2 m_p$.",
-        rests_on=("3.2.dupin", "3.2.tangent-plane-crossings"),
-    ),
-    Claim(
-        id="3.2.order-elsewhere",
-        section="3.2",
-        where="line 578, on the figures (fig:saddle) and (fig:mkysaddle)",
-        kind="sentence",
-        statement=r"Every point of the smooth saddle has $m_p = 2$; the monkey saddle has one "
-        r"point with $m_p = 3$, and $m_p = 2$ at all others, also on the rays.",
-        rests_on=("3.2.assembled-order",),
-    ),
-    Claim(
-        id="fig:winding_number_normalfield",
-        section="3.2",
-        where="figure (fig:winding_number_normalfield), lines 580-607",
-        kind="figure",
-        statement=r"At the centre $m_p = 2$, $J_p = -1$ for the saddle and $m_p = 3$, $J_p = -2$ "
-        "for the monkey saddle.",
-        labels=(
-            "fig:saddle",
-            "fig:nrmlsaddle",
-            "fig:mkysaddle",
-            "fig:nrmlmkysaddle",
-            "fig:winding_number_normalfield",
-        ),
-        rests_on=("def:Jp", "3.2.assembled-order"),
     ),
 )
 
-CLAIMS: tuple[Claim, ...] = _SADDLES + _PROPOSITION + _SADDLENESS
+CLAIMS: tuple[Claim, ...] = _PROPOSITION

@@ -1,6 +1,10 @@
-"""Claims of section 3.2, m-stars: sectors, coordinates, transitions, asymptotic coordinates."""
+"""Claims of section 3.2, m-stars: rays, sectors, the star they make."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
+
+_RUN = "checks.verify.m_stars:"
+_SETS = "checks.verify.star_sectors:"
+_FUNCTIONS = "checks.verify.star_functions:"
 
 _ANGLES = (
     r"$m \ge 2$ an integer, $\alpha_i \in (0, \pi)$ for $i = 1, \dots, 2m$",
@@ -27,6 +31,20 @@ _STARS = (
             r"(used, not stated) rays of the $u$- and of the $v$-family alternate, $m$ of each",
         ),
         rests_on=("def:m-star", "eq:sector-coords"),
+        checks=(
+            Check(
+                name="families of rays",
+                run=_FUNCTIONS + "rays",
+                routes=(
+                    "count of the indices by parity",
+                    "directions of random stars",
+                ),
+                mutants=(
+                    Mutant(name="odd number of sectors", given={"odd_count": True}),
+                    Mutant(name="three families", given={"families": 3}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="def:m-star",
@@ -39,6 +57,34 @@ _STARS = (
         labels=("def:m-star",),
         hypotheses=_STAR,
         rests_on=("def:sectors",),
+        checks=(
+            Check(
+                name="instances",
+                run=_RUN + "definition",
+                routes=(
+                    "printed conditions",
+                    "list of stars and of near-misses",
+                ),
+                mutants=(
+                    Mutant(name="sum left out", given={"whole_turn": False}),
+                    Mutant(name="angles up to pi", given={"below_pi": False}),
+                    Mutant(name="lengths not positive", given={"positive": False}),
+                    Mutant(name="odd number of rays", given={"even": False}),
+                ),
+            ),
+            Check(
+                name="a neighbourhood of the origin",
+                run=_SETS + "neighbourhood",
+                routes=(
+                    "printed combination of two rays",
+                    "strips and cones cut out by cross products, rational stars",
+                ),
+                mutants=(
+                    Mutant(name="a sector missing", given={"missing": 1}),
+                    Mutant(name="closed sectors", given={"closed": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="def:sectors",
@@ -50,6 +96,33 @@ _STARS = (
         labels=("def:sectors",),
         hypotheses=_STAR,
         rests_on=("3.2.directions",),
+        checks=(
+            Check(
+                name="cone of the angle alpha_i",
+                run=_RUN + "cone",
+                routes=(
+                    "printed combination",
+                    "cross products with the rays, symbolic",
+                ),
+                mutants=(
+                    Mutant(name="rays i, i + 1", given={"first": 0, "second": 1}),
+                    Mutant(name="rays i - 1, i + 1", given={"second": 1}),
+                    Mutant(name="rays exchanged", given={"first": 0, "second": -1}),
+                ),
+            ),
+            Check(
+                name="half-open parallelogram",
+                run=_SETS + "sectors",
+                routes=(
+                    "printed combination of two rays",
+                    "strips and cones cut out by cross products, rational stars",
+                ),
+                mutants=(
+                    Mutant(name="rays and lengths i, i + 1", given={"first": 0, "second": 1}),
+                    Mutant(name="outer sides included", given={"closed": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.directions",
@@ -60,6 +133,22 @@ _STARS = (
         r"\cos\beta_i\,\mathbf{e}_1 + \sin\beta_i\,\mathbf{e}_2$ are unit vectors, which close up: "
         r"$\beta_{2m} = 2\pi$.",
         hypotheses=_ANGLES,
+        checks=(
+            Check(
+                name="units that close up",
+                run=_RUN + "directions",
+                routes=(
+                    "printed recursion and directions",
+                    "normal form for 4, 6, 8 arbitrary angles",
+                ),
+                mutants=(
+                    Mutant(name="beta_0 = 1", given={"start": 1}),
+                    Mutant(name="alpha_(i-1) for alpha_i", given={"lag": 1}),
+                    Mutant(name="a quarter turn ahead", given={"quarter_turns": 1}),
+                    Mutant(name="sum 2 pi + 1", given={"extra": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.2.star-neighbourhood",
@@ -71,210 +160,31 @@ _STARS = (
         r"sectors that are not neighbours meet in the origin alone.",
         hypotheses=_STAR,
         rests_on=("def:m-star",),
-    ),
-)
-
-_COORDINATES = (
-    Claim(
-        id="3.2.star-coordinates",
-        section="3.2",
-        where="coordinates of a pair of sectors, line 480",
-        kind="definition",
-        statement=r"$\mathbf{x} = \xi_i \mathbf{s}_i + \eta_i \mathbf{s}_{i+1}$ where "
-        r"$\eta_i \ge 0$, and $\mathbf{x} = \xi_i \mathbf{s}_i - \eta_i \mathbf{s}_{i-1}$ where "
-        r"$\eta_i < 0$, defines coordinates $(\xi_i, \eta_i)$.",
-        hypotheses=_STAR,
-        rests_on=("def:m-star",),
-    ),
-    Claim(
-        id="3.2.coordinate-patch",
-        section="3.2",
-        where="line 480",
-        kind="sentence",
-        statement=r"The coordinates $(\xi_i, \eta_i)$ identify $(0, l_i) \times (-l_{i-1}, "
-        r"l_{i+1})$ with the interior of $S_{i-1} \cup S_i$.",
-        hypotheses=_STAR,
-        rests_on=("3.2.star-coordinates", "3.2.star-neighbourhood"),
-    ),
-    Claim(
-        id="3.2.bi-lipschitz",
-        section="3.2",
-        where="line 480",
-        kind="sentence",
-        statement=r"The map between $(\xi_i, \eta_i) \in (0, l_i) \times (-l_{i-1}, l_{i+1})$ and "
-        r"$\mathbf{x}$ is bi-Lipschitz.",
-        hypotheses=(
-            *_STAR,
-            (
-                r"(used, not stated) the angle of the two sectors together is below $2\pi$, "
-                r"which $2m \ge 4$ gives; distances are those of $\mathbb{R}^2$"
+        checks=(
+            Check(
+                name="polar angles of a sector",
+                run=_RUN + "cone",
+                routes=("printed combination", "cross products with the rays, symbolic"),
+                mutants=(
+                    Mutant(name="rays i, i + 1", given={"first": 0, "second": 1}),
+                    Mutant(name="rays i - 1, i + 1", given={"second": 1}),
+                ),
+            ),
+            Check(
+                name="open, with common rays",
+                run=_SETS + "neighbourhood",
+                routes=(
+                    "printed combination of two rays",
+                    "strips and cones cut out by cross products, rational stars",
+                ),
+                mutants=(
+                    Mutant(name="closed sectors", given={"closed": True}),
+                    Mutant(name="next but one sector shares the ray", given={"apart": 2}),
+                    Mutant(name="a sector missing", given={"missing": 1}),
+                ),
             ),
         ),
-        rests_on=("3.2.star-coordinates", "3.2.coordinate-patch"),
-    ),
-    Claim(
-        id="3.2.not-smooth-across-ray",
-        section="3.2",
-        where="line 480",
-        kind="sentence",
-        statement=r"In general $(\xi_i, \eta_i)$ are not smooth on an open set that meets "
-        r"$\{\eta_i = 0\}$.",
-        hypotheses=(*_STAR, r"(used, not stated) $\alpha_i + \alpha_{i+1} \ne \pi$"),
-        rests_on=("3.2.star-coordinates",),
-    ),
-    Claim(
-        id="smoothness",
-        section="3.2",
-        where="remark (smoothness), line 482, first part",
-        kind="remark",
-        statement=r"All coordinate pairs $(\xi_i, \eta_i)$ are smooth only if "
-        r"$\mathbf{s}_{i+1} = -\mathbf{s}_{i-1}$ for every $i$.",
-        labels=("smoothness",),
-        hypotheses=_STAR,
-        rests_on=("3.2.star-coordinates",),
-    ),
-    Claim(
-        id="3.2.smooth-stars",
-        section="3.2",
-        where="remark (smoothness), line 482, second part",
-        kind="remark",
-        statement=r"$\mathbf{s}_{i+1} = -\mathbf{s}_{i-1}$ for all $i$ forces $m = 2$, "
-        r"$\alpha_1 + \alpha_2 = \pi$, $\alpha_1 = \alpha_3$ and $\alpha_2 = \alpha_4$.",
-        hypotheses=_ANGLES,
-        rests_on=("3.2.directions",),
-    ),
-    Claim(
-        id="3.2.patch-overlap",
-        section="3.2",
-        where="line 485",
-        kind="sentence",
-        statement=r"The patches of $(\xi_i, \eta_i)$ and $(\xi_{i+1}, \eta_{i+1})$ overlap in the "
-        r"interior of the sector printed $S^i$, read as $S_i$.",
-        hypotheses=_STAR,
-        rests_on=("3.2.coordinate-patch",),
-    ),
-    Claim(
-        id="3.2.transition",
-        section="3.2",
-        where="transition functions, line 485",
-        kind="equation",
-        statement=r"On the overlap of two neighbouring patches $\eta_{i+1} = -\xi_i$ and "
-        r"$\xi_{i+1} = \eta_i$.",
-        hypotheses=_STAR,
-        rests_on=("3.2.star-coordinates", "3.2.patch-overlap"),
-    ),
-    Claim(
-        id="3.2.transition-smooth",
-        section="3.2",
-        where="line 485",
-        kind="sentence",
-        statement="The transition functions between neighbouring patches are Lipschitz, indeed "
-        "smooth.",
-        hypotheses=_STAR,
-        rests_on=("3.2.transition",),
-    ),
-    Claim(
-        id="3.2.dual-coordinates",
-        section="3.2",
-        where="display, line 487",
-        kind="equation",
-        statement=r"On the sector $S_i$, $(\xi_i, \eta_i) = (\mathbf{s}^*_{i+1} \cdot "
-        r"\mathbf{s}_i)^{-1} (\mathbf{s}^*_{i+1} \cdot \mathbf{x},\, -\mathbf{s}^*_i \cdot "
-        r"\mathbf{x})$.",
-        hypotheses=(*_STAR, r"$\mathbf{s}^*_j = \mathbf{e}_3 \times \mathbf{s}_j$"),
-        rests_on=("3.2.star-coordinates", "3.2.dual-vectors"),
-    ),
-    Claim(
-        id="3.2.dual-vectors",
-        section="3.2",
-        where="line 489",
-        kind="definition",
-        statement=r"The dual vectors are $\mathbf{s}^*_j = \mathbf{e}_3 \times \mathbf{s}_j$, "
-        r"with $\mathbf{s}^*_j \cdot \mathbf{s}_j = 0$.",
-        hypotheses=_ANGLES,
-        rests_on=("3.2.directions",),
-    ),
-    Claim(
-        id="3.2.dual-product",
-        section="3.2",
-        where="line 489",
-        kind="equation",
-        statement=r"$\mathbf{s}^*_{i+1} \cdot \mathbf{s}_i = \sin(\beta_{i+1} - \beta_i)$.",
-        hypotheses=_ANGLES,
-        rests_on=("3.2.dual-vectors",),
-    ),
-    Claim(
-        id="3.2.dual-product-angle",
-        section="3.2",
-        where="line 489",
-        kind="equation",
-        statement=r"$\sin(\beta_{i+1} - \beta_i) = \sin\alpha_i$.",
-        hypotheses=_ANGLES,
-        rests_on=("3.2.directions",),
-    ),
-    Claim(
-        id="3.2.dual-product-positive",
-        section="3.2",
-        where="line 489",
-        kind="sentence",
-        statement=r"$\mathbf{s}^*_{i+1} \cdot \mathbf{s}_i > 0$, so the quotient that gives "
-        r"$(\xi_i, \eta_i)$ is defined.",
-        hypotheses=_ANGLES,
-        rests_on=("3.2.dual-product", "3.2.dual-product-angle"),
-    ),
-    Claim(
-        id="3.2.closure-lipschitz",
-        section="3.2",
-        where="line 489",
-        kind="sentence",
-        statement=r"The formulae with dual vectors extend $\xi_i, \eta_i$ to $\overline{S_i}$ as "
-        r"Lipschitz functions.",
-        hypotheses=_STAR,
-        rests_on=("3.2.dual-coordinates",),
-    ),
-    Claim(
-        id="3.2.origin-coordinates",
-        section="3.2",
-        where="line 489",
-        kind="sentence",
-        statement=r"$\mathbf{x} = 0$ if and only if $(\xi_i, \eta_i) = (0, 0)$.",
-        hypotheses=_STAR,
-        rests_on=("3.2.dual-coordinates",),
     ),
 )
 
-_ASYMPTOTIC_COORDINATES = (
-    Claim(
-        id="eq:sector-coords",
-        section="3.2",
-        where="equation (eq:sector-coords), line 491",
-        kind="equation",
-        statement=r"The asymptotic coordinates of the sector $S_i$ are $(u_i, v_i) = (\xi_i, "
-        r"\eta_i)$ for even $i$ and $(u_i, v_i) = (\eta_i, \xi_i)$ for odd $i$.",
-        labels=("eq:sector-coords",),
-        hypotheses=_STAR,
-        rests_on=("3.2.star-coordinates",),
-    ),
-    Claim(
-        id="3.2.ray-coordinates-even",
-        section="3.2",
-        where="line 494",
-        kind="equation",
-        statement=r"For even $i$, $0 \le u_i = u_{i+1} < l_i$ and $v_i = v_{i+1} = 0$ on "
-        r"$S_i \cap S_{i+1}$.",
-        hypotheses=(*_STAR, "$i$ even"),
-        rests_on=("eq:sector-coords", "3.2.star-neighbourhood"),
-    ),
-    Claim(
-        id="3.2.ray-coordinates-odd",
-        section="3.2",
-        where="line 494",
-        kind="equation",
-        statement=r"For odd $i$, $u_i = u_{i+1} = 0$ and $0 \le v_i = v_{i+1} < l_i$ on "
-        r"$S_i \cap S_{i+1}$.",
-        hypotheses=(*_STAR, "$i$ odd"),
-        rests_on=("eq:sector-coords", "3.2.star-neighbourhood"),
-    ),
-)
-
-CLAIMS: tuple[Claim, ...] = _STARS + _COORDINATES + _ASYMPTOTIC_COORDINATES
+CLAIMS: tuple[Claim, ...] = _STARS
