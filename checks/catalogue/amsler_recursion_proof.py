@@ -79,6 +79,7 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_ANGLE + "threshold_samples",
                 routes=("bound on z*", _CERTIFIED),
                 mutants=(
+                    Mutant(name="bound on z* 1 % less", given={"factor": "99/50"}, near=True),
                     Mutant(name="up to 1.5 z*", given={"late": "3/2"}),
                     Mutant(name="up to 2 z*", given={"late": "2"}),
                 ),
