@@ -260,7 +260,8 @@ def regime_2(
 
     return bounded(
         rows(),
-        shown=f"within phi^2/40 + 1/(8 z^2), and 3 %, at 9 places from z = 3 to phi = {reach}, phi0 = 1e-3 and 1e-12",
+        shown="within phi^2/40 + 1/(8 z^2), and 3 %, at 9 places from z = 3 to "
+        f"phi = {reach}, phi0 = 1e-3 and 1e-12",
         sampled=True,
     )
 
