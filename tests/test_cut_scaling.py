@@ -125,9 +125,8 @@ def test_too_many_cells_raise():
 
 
 def test_the_quotient_of_the_cut_coordinates_is_tested_on_both_sides():
-    good = cut_coordinates.zeta_like(Setting(), steepest="2/5", constant=4)
-    assert good.outcome == "pass"
-    assert cut_coordinates.zeta_like(Setting(), steepest="49/100", constant=4).outcome == "fail"
+    assert cut_coordinates.zeta_like(Setting()).outcome == "pass"
+    assert cut_coordinates.zeta_like(Setting(), steepest="49/100").outcome == "fail"
 
 
 def test_the_decay_is_refuted_with_any_power_of_the_radius():

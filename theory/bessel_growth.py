@@ -39,12 +39,13 @@ def symbols() -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
     )
 
 
-def surplus(quotient: Any, s: Any) -> Any:
-    """Ball of (x I_1(x)/I_0(x) - 2 s I_1(s)/I_0(s))/s at x^2 = 2 s quotient, s >= 0.
+def surplus(quotient: Any, s: Any, *, over: Callable[[Any], Any] = ratio) -> Any:
+    """Value of (x I_1(x)/I_0(x) - 2 s I_1(s)/I_0(s))/s at x^2 = 2 s quotient, s >= 0.
 
     With quotient = R/C it has the sign of the derivative of I_0(x)/I_0(C x^2/(2 R)) by x.
+    over: `ratio` on balls, or another form of it for other numbers.
     """
-    return quotient * ratio(s * quotient / 2) - s * ratio(s * s / 4)
+    return quotient * over(s * quotient / 2) - s * over(s * s / 4)
 
 
 def cover(function: Callable[[Any], Any], start: Any, end: Any) -> tuple[list[Any], Any | None]:

@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _LEMMA = "checks.verify.recursion_lemma:"
+_BOUNDS = "checks.verify.amsler_lemma_range:"
 _CERTIFIED = "theory.painleve (balls)"
 _BESSEL = "theory.bessel (balls)"
 _BELOW = r"(used, not stated) $\phi_n < \phi^*$"
@@ -75,6 +76,22 @@ CLAIMS: tuple[Claim, ...] = (
                         given={"meets": True, "initial": "2", "level": "1"},
                     ),
                     Mutant(name="every rectangle", given={"meets": False}),
+                ),
+            ),
+            Check(
+                name="whole range",
+                run=_BOUNDS + "whole_range",
+                form="corrected",
+                tier="full",
+                routes=(
+                    "cut of the proof and sides of the rectangle",
+                    "certificate of (boundCphi*) (checks.certificates)",
+                ),
+                mutants=(
+                    Mutant(name="C 0.1 % larger", given={"lower": "1001/1000"}, near=True),
+                    Mutant(name="I_0(0.99 z) above", given={"upper": "99/100"}, near=True),
+                    Mutant(name="X up to 1 % larger", given={"share": "101/100"}, near=True),
+                    Mutant(name="X up to twice as large", given={"share": "2"}),
                 ),
             ),
             Check(
@@ -165,6 +182,17 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="phi_n = 2 > phi* = 1", given={"initial": "2", "level": "1"}),
                 ),
             ),
+            Check(
+                name="from the bounds",
+                run=_BOUNDS + "angle_on_cut",
+                routes=("printed cut", "upper bound of (boundCphi*) as I_0 grows"),
+                part="angle",
+                mutants=(
+                    Mutant(name="3.96 for 4", given={"factor": "99/25"}, near=True),
+                    Mutant(name="u_max and v_max exchanged", given={"swapped": True}),
+                    Mutant(name="J_0 for I_0", given={"sign": -1}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -205,11 +233,12 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="from the bounds",
-                run=_LEMMA + "corner_inside",
-                form="support",
-                routes=("cut of the proof", "sides of the rectangle"),
+                run=_BOUNDS + "lower_bound_at_corner",
+                form="corrected",
+                routes=("cut of the proof", "sides of the rectangle and (boundCphi*)"),
                 mutants=(
                     Mutant(name="X up to twice as large", given={"share": "2"}),
+                    Mutant(name="X up to 1 % larger", given={"share": "101/100"}, near=True),
                     Mutant(name="2 for 4", given={"factor": "2"}),
                 ),
             ),

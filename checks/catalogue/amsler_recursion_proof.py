@@ -4,6 +4,7 @@ from checks.claim import Check, Claim, Erratum, Mutant
 
 _ANGLE = "checks.verify.recursion_angle:"
 _LEMMA = "checks.verify.recursion_lemma:"
+_BOUNDS = "checks.verify.amsler_lemma_range:"
 _RANGE = "checks.verify.amsler_bounds:"
 _CERTIFIED = "theory.painleve (balls)"
 _BESSEL = "theory.bessel (balls)"
@@ -79,6 +80,7 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_ANGLE + "threshold_samples",
                 routes=("bound on z*", _CERTIFIED),
                 mutants=(
+                    Mutant(name="bound on z* 1 % less", given={"factor": "99/50"}, near=True),
                     Mutant(name="up to 1.5 z*", given={"late": "3/2"}),
                     Mutant(name="up to 2 z*", given={"late": "2"}),
                 ),
@@ -250,6 +252,16 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="X twice as large", given={"grown": "2"}),
                 ),
             ),
+            Check(
+                name="from the bounds",
+                run=_BOUNDS + "cut_before_threshold",
+                part="threshold",
+                routes=("place of the cut", "upper bound of (boundCphi*) as I_0 grows"),
+                mutants=(
+                    Mutant(name="X 1 % larger", given={"grown": "101/100"}, near=True),
+                    Mutant(name="J_0 for I_0", given={"sign": -1}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -290,6 +302,16 @@ CLAIMS: tuple[Claim, ...] = (
                     ),
                     Mutant(name="C twice as large", given={"meets": True, "scale": "4"}),
                     Mutant(name="every rectangle", given={"meets": False}),
+                ),
+            ),
+            Check(
+                name="from the bounds",
+                run=_BOUNDS + "lower_bound_at_corner",
+                form="corrected",
+                routes=("cut of the proof", "sides of the rectangle and (boundCphi*)"),
+                mutants=(
+                    Mutant(name="X up to 1 % larger", given={"share": "101/100"}, near=True),
+                    Mutant(name="2 for 4", given={"factor": "2"}),
                 ),
             ),
         ),

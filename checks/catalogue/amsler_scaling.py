@@ -5,6 +5,7 @@ from checks.claim import Check, Claim, Mutant
 _SMALLEST = "checks.verify.recursion_smallest_angle:"
 _SCALING = "checks.verify.recursion_scaling:"
 _DISK = "checks.verify.recursion_disk:"
+_BOUNDS = "checks.verify.amsler_lemma_range:"
 _CERTIFIED = "theory.painleve (balls)"
 _BESSEL = "theory.bessel (balls)"
 _GROWTH = "theory.bessel_growth (balls on whole ranges)"
@@ -47,6 +48,19 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="C 1 % larger", given={"scale": "10201/10000"}, near=True),
                     Mutant(name="1 for 2 in the argument", given={"factor": "1"}),
                     Mutant(name="every rectangle", given={"meets": False}),
+                ),
+            ),
+            Check(
+                name="from the lemma",
+                run=_BOUNDS + "first_inequality",
+                part="first",
+                routes=("printed bound", "bound of the lemma and the trisection"),
+                mutants=(
+                    Mutant(name="1/2 for 1/3", given={"daughters": "2"}),
+                    Mutant(
+                        name="2.02 for 2 in the argument", given={"factor": "101/50"}, near=True
+                    ),
+                    Mutant(name="X for X^2", given={"power": 1}, near=True),
                 ),
             ),
             Check(
@@ -181,6 +195,8 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="R >= 3.5 C", given={"quotient": "7/2"}, near=True),
                     Mutant(name="R >= C", given={"quotient": "1"}),
                     Mutant(name="every R > 0, any phi_0", given={"quotient": "0"}),
+                    Mutant(name="R for 2 R in the bound", given={"factor": "1"}),
+                    Mutant(name="2.02 R in the bound", given={"factor": "101/50"}, near=True),
                 ),
             ),
             Check(
@@ -213,6 +229,16 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="1.01 (I_1/I_0)^2", given={"share": "101/100"}, near=True),
                     Mutant(name="opposite sign", given={"share": "-1"}),
+                ),
+            ),
+            Check(
+                name="rate of the quotient",
+                run=_SMALLEST + "rate_of_quotient",
+                form="support",
+                routes=("derivative of the printed bound by I_0' = I_1", _GROWTH),
+                mutants=(
+                    Mutant(name="rate 1 % larger", given={"share": "101/100"}, near=True),
+                    Mutant(name="R for 2 R in the bound", given={"factor": "1"}),
                 ),
             ),
             Check(

@@ -180,10 +180,12 @@ CLAIMS: tuple[Claim, ...] = (
                 routes=("printed alpha_n^2", "lengths of geodesics to the rim (balls)"),
                 mutants=(
                     Mutant(name="like alpha_n^2", given={"factor": "1"}),
+                    Mutant(name="like 2.02 alpha_n^2", given={"factor": "101/50"}, near=True),
+                    Mutant(name="angle 1 % more", given={"steepest": "101/250"}, near=True),
                     Mutant(name="axes perpendicular to the radius", given={"steepest": "1/2"}),
                     Mutant(
                         name="perpendicular, up to a factor of 1000",
-                        given={"steepest": "1/2", "constant": 1000},
+                        given={"steepest": "1/2", "bound": "4997/10000"},
                     ),
                 ),
             ),

@@ -48,6 +48,8 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="amplitude 2", given={"amplitude": "2"}),
                     Mutant(name="z^2/2", given={"coefficient": "1/2"}),
                     Mutant(name="no 1/(8 z)", given={"correction": "0"}),
+                    Mutant(name="1 % more z^2", given={"coefficient": "101/400"}, near=True),
+                    Mutant(name="amplitude 1 % less", given={"share": "99/100"}, near=True),
                 ),
             ),
         ),
@@ -58,7 +60,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             corrected=(
                 r"with $\pi - (2 - \frac{2}{z^*})\sin(z^* - z)$ for the third line each "
-                r"line is within $5\,\%$ on its range: $z \leq 1$; $z \geq 2$, $\varphi "
+                r"line is within $3\,\%$ on its range: $z \leq 1$; $z \geq 2$, $\varphi "
                 r"\leq 1$; $\pi - \varphi \leq 1$"
             ),
             kind="misprint",
@@ -69,7 +71,7 @@ CLAIMS: tuple[Claim, ...] = (
             conclusion_survives=True,
             remark=(
                 "The picture itself is not in the source; what was drawn cannot be the "
-                r"third line as printed. Ranges and the $5\,\%$ are ours."
+                r"third line as printed. Ranges and the $3\,\%$ are ours."
             ),
         ),
     ),

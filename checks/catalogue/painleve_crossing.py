@@ -95,7 +95,10 @@ CLAIMS: tuple[Claim, ...] = (
                     "-log phi0",
                     _CERTIFIED,
                 ),
-                mutants=(Mutant(name="4 for pi/100", given={"constant": "4"}),),
+                mutants=(
+                    Mutant(name="4 for pi/100", given={"constant": "4"}),
+                    Mutant(name="1 % above 3.29", given={"constant": "33229/10000"}, near=True),
+                ),
             ),
             Check(
                 name="ratio",
@@ -115,7 +118,10 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                     _REFERENCE,
                 ),
-                mutants=(Mutant(name="shift 1e-18", given={"shift": "1e-18"}),),
+                mutants=(
+                    Mutant(name="shift 1e-18", given={"shift": "1e-18"}),
+                    Mutant(name="shift 2e-20", given={"shift": "2e-20"}, near=True),
+                ),
             ),
         ),
         erratum=Erratum(
@@ -159,11 +165,8 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
-                    Mutant(name="a tenth of the gap", given={"share": "1/10"}),
-                    Mutant(
-                        name="phi0^4 at the running z",
-                        given={"amplitude": "with phi0^4", "share": "1/50"},
-                    ),
+                    Mutant(name="half of that", given={"share": "1/2"}),
+                    Mutant(name="phi0^4 at the running z", given={"amplitude": "with phi0^4"}),
                 ),
             ),
             Check(
@@ -177,7 +180,8 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
-                    Mutant(name="a fiftieth of the gap", given={"share": "1/50"}),
+                    Mutant(name="half of that", given={"share": "1/2"}),
+                    Mutant(name="1 % more z^2", given={"coefficient": "101/400"}, near=True),
                     Mutant(name="third line as printed", given={"amplitude": "printed"}),
                 ),
             ),
@@ -195,8 +199,8 @@ CLAIMS: tuple[Claim, ...] = (
         erratum=Erratum(
             printed=(r"(eqa5) estimates $\varphi$ better than the bounds do"),
             corrected=(
-                "with the third line mended each line errs, on its range, by less than "
-                r"half the gap between the two bounds (tested with $\phi^* = 3$)"
+                "with the third line mended each line errs, on its range, by less than a "
+                r"fifteenth of the gap between the two bounds (tested with $\phi^* = 3$)"
             ),
             kind="false",
             witness=(
@@ -251,6 +255,7 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
                 mutants=(
                     Mutant(name="C = 1", given={"lag": "0"}),
+                    Mutant(name="C 1 % larger", given={"scale": "101/100"}, near=True),
                     Mutant(name="C = 1 - 1/(20 z_n)", given={"lag": "1/20"}),
                     Mutant(name="phi_n = 2", given={"initials": "2"}),
                 ),

@@ -142,6 +142,7 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
+                    Mutant(name="1 % more", given={"factor": "101/100"}, near=True),
                     Mutant(name="up to 2", given={"reach": "2"}),
                     Mutant(name="no 1/(8 z)", given={"correction": "0"}),
                     Mutant(name="sqrt(pi z)", given={"under": "1"}),
@@ -246,6 +247,8 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
+                    Mutant(name="amplitude 1 % more", given={"share": "101/100"}, near=True),
+                    Mutant(name="amplitude 1 % less", given={"share": "99/100"}, near=True),
                     Mutant(name="amplitude 2", given={"amplitude": "2"}),
                     Mutant(name="phi0^4 at the running z", given={"amplitude": "with phi0^4"}),
                 ),

@@ -41,8 +41,10 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
-                    Mutant(name="1/z^2", given={"power": 2}),
-                    Mutant(name="slope below 1", given={"most": 1}),
+                    Mutant(name="1/z^2", given={"power": "2"}),
+                    Mutant(name="z^(-1.1)", given={"power": "11/10"}, near=True),
+                    Mutant(name="slope below 1", given={"most": "1"}),
+                    Mutant(name="1 % less", given={"most": "99/50"}, near=True),
                 ),
             ),
         ),
@@ -123,7 +125,7 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
-                    Mutant(name="times z*", given={"power": 1}),
+                    Mutant(name="times z*", given={"power": "1"}),
                     Mutant(name="phi0 = 1e-6", given={"initial": "1e-6"}),
                 ),
             ),
@@ -138,7 +140,12 @@ CLAIMS: tuple[Claim, ...] = (
                     _CERTIFIED,
                 ),
                 mutants=(
-                    Mutant(name="times z*", given={"power": 1}),
+                    Mutant(name="times z*", given={"power": "1"}),
+                    Mutant(
+                        name="times z*^0.1",
+                        given={"initial": "1e-12", "power": "1/10"},
+                        near=True,
+                    ),
                     Mutant(name="phi0 = 1e-6", given={"initial": "1e-6"}),
                 ),
             ),
@@ -220,6 +227,11 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
                 mutants=(
                     Mutant(name="5/4 delta", given={"factor": "5/4"}),
+                    Mutant(
+                        name="delta 1 % more",
+                        given={"argument": "z", "factor": "101/100"},
+                        near=True,
+                    ),
                     Mutant(name="sqrt(pi z)", given={"under": "1"}),
                 ),
             ),

@@ -66,7 +66,8 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="gain", given={"factor": "1/2"}),
                     Mutant(name="twice", given={"factor": "-1"}),
-                    Mutant(name="ten per cent more", given={"factor": "-11/20"}),
+                    Mutant(name="1 % more", given={"factor": "-101/200"}, near=True),
+                    Mutant(name="1 % less", given={"factor": "-99/200"}, near=True),
                 ),
             ),
             Check(
@@ -343,6 +344,8 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="gain", given={"factor": "-1"}),
                     Mutant(name="half as much again", given={"factor": "3/2"}),
+                    Mutant(name="1 % more", given={"factor": "101/100"}, near=True),
+                    Mutant(name="1 % less", given={"factor": "99/100"}, near=True),
                 ),
             ),
             Check(

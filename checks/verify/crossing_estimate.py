@@ -38,7 +38,7 @@ def estimate(
     )
 
 
-def excess(setting: Setting, *, constant: str = "3") -> Evidence:
+def excess(setting: Setting, *, constant: str = "329/100") -> Evidence:
     """Whether z* + log phi0 exceeds a constant and grows as phi0 falls."""
     del setting
 

@@ -139,17 +139,18 @@ def zeta_of_distance(setting: Setting, *, factor: str = "2") -> Evidence:
 
 
 def zeta_like(
-    setting: Setting, *, factor: str = "2", steepest: str = "2/5", constant: int = 4
+    setting: Setting, *, factor: str = "2", steepest: str = "2/5", bound: str = "2/5"
 ) -> Evidence:
     """Quotient of zeta_n by what it is said to be like, on sectors with geodesic axes.
 
-    steepest: largest angle in units of pi between an axis and the outward radius; constant: the
-    quotient must lie between 1/constant and 1.
+    steepest: largest angle in units of pi between an axis and the outward radius; the quotient
+    must lie between 1 and the geometric mean of the cosines of the axes' angles, for bound in place
+    of steepest. The least s nearly attain it.
     """
 
     def rows() -> Iterator[Row]:
-        slant = (arb.pi() * fraction(steepest)).cos()
-        for cosines in ((slant, slant), (arb(1), slant)):
+        slant, least = ((arb.pi() * fraction(angle)).cos() for angle in (steepest, bound))
+        for cosines, mean in (((slant, slant), least), ((arb(1), slant), least.sqrt())):
             for s in ("2", "1", "1/10", "1/1000", "1e-12", "1e-20"):
                 radius, offset = arb(4), 4 - fraction(s)
                 u, v = (rim_distance.axis_length(radius, offset, c) for c in cosines)
@@ -157,14 +158,15 @@ def zeta_like(
                 # The corner (1/(4 v), 1/(4 u)) of the cut with X = 1.
                 quotient = 1 / (2 * (u * v).sqrt()) / printed.zeta_of_alpha(alpha, factor=factor)
                 where = f"R = 4, s = {s}, axes at most {steepest} pi from the radius"
-                yield f"1 over zeta/claimed, {where}", 1 / quotient, arb(constant)
+                yield f"mean cosine against zeta/claimed, {where}", mean, quotient
                 yield f"zeta/claimed, {where}", quotient, arb(1)
 
     del setting
     return bounded(
         rows(),
-        shown=f"zeta_n/(2 alpha_n^2) is between 1/{constant} and 1 where both axes are within "
-        f"{steepest} pi of the outward radius",
+        shown=f"zeta_n/(2 alpha_n^2) is between cos({steepest} pi) and 1 where both axes are at "
+        "that angle to the outward radius, and between its root and 1 where one is and the other "
+        "is radial",
         bits=256,
         sampled=True,
     )

@@ -83,18 +83,28 @@ def rises_to_threshold(setting: Setting, *, force: int = 1, damping: int = 1) ->
 
 
 def threshold_samples(
-    setting: Setting, *, initials: str = "1e-6 1/100 1 2 3", level: str = "157/50", late: str = "1"
+    setting: Setting,
+    *,
+    initials: str = "1e-6 1/100 1 2 3",
+    level: str = "157/50",
+    late: str = "1",
+    factor: str = "2",
 ) -> Evidence:
-    """Slope at certified places of [0, late z*], and the bound on z*."""
+    """Slope at certified places of [0, late z*], and the bound on z* with this factor.
+
+    In the last two pairs phi_n is near phi*, where the bound is nearly attained.
+    """
     del setting
+    pairs = [(name, level) for name in initials.split()] + [("1", "101/100"), ("2", "201/100")]
 
     def rows() -> Iterator[Row]:
-        for name in initials.split():
-            phi_n, top = initial_angles.ball(name), initial_angles.fraction(level)
-            crossing = initial_angles.crossing(name, Fraction(level))
+        for name, threshold in pairs:
+            phi_n, top = initial_angles.ball(name), initial_angles.fraction(threshold)
+            crossing = initial_angles.crossing(name, Fraction(threshold))
             least = phi_n.sin().min(top.sin())
-            place = f"z* for phi_n = {name}, phi* = {level}"
-            yield place, crossing, 2 * ((top - phi_n) / least).sqrt()
+            place = f"z* for phi_n = {name}, phi* = {threshold}"
+            most = initial_angles.fraction(factor) * ((top - phi_n) / least).sqrt()
+            yield place, crossing, most
             for part in PARTS:
                 z = crossing * initial_angles.fraction(part) * initial_angles.fraction(late)
                 slope = initial_angles.slope(name, z)
@@ -102,7 +112,8 @@ def threshold_samples(
 
     return bounded(
         rows(),
-        shown=f"phi' > 0 at five places of [0, z*] for each phi_n, phi* = {level}",
+        shown="phi' > 0 at five places of [0, z*], and the bound on z*, for seven pairs phi_n < "
+        "phi*, two of them with phi* - phi_n = 1/100",
         sampled=True,
     )
 

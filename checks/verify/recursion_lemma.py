@@ -99,7 +99,8 @@ def zeta_of_cut(setting: Setting, *, factor: str = "2", power: int = 2) -> Evide
 def corner_inside(setting: Setting, *, factor: str = "4", share: str = "1") -> Evidence:
     """Corner of the cut where X is below share times 2 sqrt(u_max v_max), by any margin."""
     x, u_max, margin = sp.symbols("X u_max margin", positive=True)
-    v_max = (x * (1 + margin) / (2 * sp.Rational(share))) ** 2 / u_max
+    # Hundredths, so that a slight fault shows at the values that are tried.
+    v_max = (x * (1 + margin / 100) / (2 * sp.Rational(share))) ** 2 / u_max
     u, v = printed.cut(x, u_max, v_max, factor=factor)
     return positivity(
         setting,

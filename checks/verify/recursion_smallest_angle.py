@@ -31,17 +31,22 @@ def smallest_angle(
     quotient: str = "4",
     scale: str = "1",
     divisor: str = "1",
+    factor: str = "2",
 ) -> Evidence:
     """Whether phi_n >= phi_min = phi*/(divisor I_0(C' sqrt(R))) is kept from n to n + 1.
 
     For R >= quotient C > 0, or with a divisor other than 1: with C' = scale sqrt(2 x_0/C). For
     quotient 0: by one of the constants in all disks and for all phi_0, R = 1/C'^2 among them.
+    factor: of R in the bound of the remark, whose rate is derived from it.
     """
-    del setting
     if Fraction(divisor) != 1:
         return _kept_with_divisor(divisor, scale)
     if Fraction(quotient) > 0:
-        return _kept_from_radius(quotient, scale)
+        kept = _kept_from_radius(quotient, scale)
+        return combined(
+            {"rate": rate_of_quotient(setting, factor=factor), "whole range": kept},
+            shown=kept.shown,
+        )
     return _kept_by_a_constant(constants.split())
 
 
@@ -115,6 +120,38 @@ def _kept_from_radius(quotient: str, scale: str) -> Evidence:
         "I_0(X)/I_0(C X^2/(2 R)) grows (certified on all of it for R = 4 C, and X I_1(X)/I_0(X) "
         "grows, so for larger R too), up to I_0(C' sqrt(R))/3: phi_n >= phi_min gives "
         "phi_{n+1} >= phi_min",
+    )
+
+
+def rate_of_quotient(setting: Setting, *, factor: str = "2", share: str = "1") -> Evidence:
+    """Derivative of log(I_0(X)/I_0(Y)), Y the printed argument, against the surplus at Y.
+
+    By I_0' = I_1 for unknown functions; on balls the ratio of the surplus is compared with the
+    Bessel functions themselves. share: of the surplus.
+    """
+    x, radius, c = sp.symbols("X R C", positive=True)
+    zero, one = sp.Function("I0"), sp.Function("I1")
+    inside, _ = printed.ratio_bound(c, x, radius, factor=factor)
+    log = sp.log(zero(x)) - sp.log(zero(inside))
+    slopes = {sp.diff(zero(x), x): one(x), sp.diff(zero(inside), x): one(inside) * inside.diff(x)}
+    surplus = bessel_growth.surplus(
+        radius / c, inside, over=lambda w: one(2 * sp.sqrt(w)) / (sp.sqrt(w) * zero(2 * sp.sqrt(w)))
+    )
+    rate = x * sp.diff(log, x).subs(slopes) - sp.Rational(share) * inside * surplus
+
+    # The ratio is one of Bessel functions by definition: what the rows guard is its code.
+    def rows() -> Iterator[Row]:
+        for text in ("1/100", "1", "7/2", "20"):
+            at = initial_angles.fraction(text)
+            ball = bessel_growth.ratio(at * at / 4) * at * i0(at) / 2
+            yield f"I_1({text}) by two routes", abs(ball - at.bessel_i(1)), arb(10) ** -25
+
+    return combined(
+        {
+            "derivative": identities(setting, {"X log' - Y surplus": sp.expand(rate)}, shown=""),
+            "ratio": bounded(rows(), shown=""),
+        },
+        shown="X d/dX log(I_0(X)/I_0(Y)) = X I_1(X)/I_0(X) - 2 Y I_1(Y)/I_0(Y), Y = C X^2/(2 R)",
     )
 
 
