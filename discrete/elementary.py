@@ -66,7 +66,9 @@ class BallFunctions:
 
     def atan2(self, y: Any, x: Any) -> Any:
         """Argument of x + i y."""
-        return _ball(y).atan2(_ball(x))
+        from flint import arb
+
+        return arb.atan2(_ball(y), _ball(x))
 
     def __getattr__(self, name: str) -> Any:
         if name not in _OF_ONE:
