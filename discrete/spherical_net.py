@@ -15,7 +15,7 @@ from discrete import geodesics
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.complex_surgery import boundary_segment
 from discrete.errors import ShapeError
-from discrete.gluing import Glued, Seam, fan, glued, grid
+from discrete.gluing import Seam, fan, glued, grid
 from discrete.goursat_fill import fill
 from discrete.signed_graph import IntArray
 from discrete.space_forms import S2, Scalar, Triple, cross_s2, dot_s2
@@ -45,10 +45,10 @@ def _sector_normals(number: int, first: Curve, second: Curve) -> list[list[Tripl
 
 
 def _placed(
-    found: Glued, sectors: Sequence[list[list[Triple]]], normals: dict[int, Triple]
+    places: Sequence[IntArray], sectors: Sequence[list[list[Triple]]], normals: dict[int, Triple]
 ) -> None:
-    """Enter the normals of the sectors, the first pieces of `found`, at their vertices."""
-    for nodes, place in zip(sectors, found.places, strict=False):
+    """Enter the normals of the sectors at the vertices that theirs have become."""
+    for nodes, place in zip(sectors, places, strict=True):
         numbers = grid(len(nodes) - 1, len(nodes[0]) - 1)
         for (i, j), vertex in np.ndenumerate(numbers):
             normals.setdefault(int(place[vertex]), nodes[i][j])
@@ -74,7 +74,7 @@ def assembled(curves: Sequence[Curve]) -> SphericalNet:
     found = glued(pieces, [*seams, closing])
     normals: dict[int, Triple] = {}
     sectors = [_sector_normals(i, around[i], around[i + 1]) for i in range(len(curves))]
-    _placed(found, sectors, normals)
+    _placed(found.places, sectors, normals)
     return SphericalNet(complex=found.complex, normals=_in_order(normals))
 
 
@@ -98,16 +98,20 @@ def attached_with_places(
     outer = [[net.normals[v] for v in path] for path in (along_u, along_v)]
     around = [outer[0], *curves, outer[1]]
     pieces, seams, rays = fan([len(curve) - 1 for curve in around])
-    last = len(pieces)
-    sides = [
-        Seam(first=last, path=along_u, second=0, onto=rays[0]),
-        Seam(first=last, path=along_v, second=last - 1, onto=rays[-1]),
+    # The old complex comes first, so that face 0 and with it the orientation stay what they were.
+    inner = [
+        Seam(first=seam.first + 1, path=seam.path, second=seam.second + 1, onto=seam.onto)
+        for seam in seams
     ]
-    found = glued([*pieces, net.complex], [*seams, *sides])
-    normals = {int(found.places[-1][v]): n for v, n in enumerate(net.normals)}
-    sectors = [_sector_normals(i, around[i], around[i + 1]) for i in range(last)]
-    _placed(found, sectors, normals)
-    return SphericalNet(complex=found.complex, normals=_in_order(normals)), found.places[-1]
+    sides = [
+        Seam(first=0, path=along_u, second=1, onto=rays[0]),
+        Seam(first=0, path=along_v, second=len(pieces), onto=rays[-1]),
+    ]
+    found = glued([net.complex, *pieces], [*inner, *sides])
+    normals = {int(found.places[0][v]): n for v, n in enumerate(net.normals)}
+    sectors = [_sector_normals(i, around[i], around[i + 1]) for i in range(len(pieces))]
+    _placed(found.places[1:], sectors, normals)
+    return SphericalNet(complex=found.complex, normals=_in_order(normals)), found.places[0]
 
 
 def geodesic_curve(

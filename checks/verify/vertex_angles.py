@@ -183,9 +183,9 @@ def not_multi_sheeted(setting: Setting, *, winding: str = "1-m") -> Evidence:
     instances = statement(not failed, shown="", witness=failed)
     return combined(
         {"surface's angle": surface_angle(setting), "instances": instances},
-        shown="every angle of the surface is pi + alpha, so at a vertex of degree 2m they add up to "
-        "2 pi exactly under (eq:unramified); on rational stars of order 2 to 5 the angles in space at each interior vertex add "
-        "up to 2 pi, though the normals wind 1 to 4 times",
+        shown="every angle of the surface is pi + alpha, so at a vertex of degree 2m they add up "
+        "to 2 pi exactly under (eq:unramified); on rational stars of order 2 to 5 the angles in "
+        "space at each interior vertex add up to 2 pi, though the normals wind 1 to 4 times",
     )
 
 
