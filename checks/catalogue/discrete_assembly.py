@@ -201,6 +201,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="winding-once-less", given={"winding": 1}, near=True),
                     Mutant(name="longer-edges", given={"longer": True}, near=True),
                 ),
+                tier="full",
             ),
         ),
         erratum=Erratum(

@@ -238,6 +238,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="sign", given={"sign": 1}),
                     Mutant(name="not-a-unit-normal", given={"unit": False}),
                 ),
+                tier="full",
             ),
         ),
     ),
@@ -404,7 +405,7 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=("4.edges-orthogonal-to-normal",),
         checks=(
             Check(
-                name="stars-of-degree-4-6-8",
+                name="stars-of-degree-4-and-6",
                 run=f"{_SURFACES}:planar_stars",
                 routes=(
                     "points summed along a spanning tree",

@@ -61,6 +61,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="any-corner", given={"far_ends": "any"}),
                     Mutant(name="halves", given={"parts": 2}, near=True),
                 ),
+                tier="full",
             ),
         ),
         erratum=Erratum(

@@ -13,7 +13,7 @@ from checks.verify.spherical_samples import star_net
 from discrete.spherical_net import SphericalNet, edge_step, surface_points
 from theory.vectors import Vector, cross, dot, scaled
 
-_ORDERS = (2, 3, 4)
+_ORDERS = (2, 3)
 
 
 def _unit(vector: Vector) -> Vector | None:
@@ -128,9 +128,9 @@ def k_surface_definition(
 
 
 def planar_stars(setting: Setting, *, lifted: bool = False, longer: bool = False) -> Evidence:
-    """Whether all vertex stars are planar, also around vertices of degree 4, 6 and 8.
+    """Whether all vertex stars are planar, also around vertices of degree 4 and 6.
 
-    Rational stars of order 2, 3, 4 between curves with turns; lifted: vertex 0 is moved along its
+    Rational stars of order 2 and 3 between curves with turns; lifted: vertex 0 is moved along its
     normal; longer: N at vertex 0 is replaced by the next one.
     """
     found = {}
@@ -150,12 +150,12 @@ def planar_stars(setting: Setting, *, lifted: bool = False, longer: bool = False
         setting,
         found,
         shown="every edge at every vertex is orthogonal to the normal there, in rational numbers, "
-        "on stars whose centre has the degree 4, 6 or 8",
+        "on stars whose centre has the degree 4 or 6",
     )
 
 
 def closing(setting: Setting, *, spoiled: str = "") -> Evidence:
-    """Whether the Lelieuvre equations close on rational stars of order 2, 3, 4, by two trees.
+    """Whether the Lelieuvre equations close on rational stars of order 2 and 3, by two trees.
 
     The vertices are summed along a breadth first and a depth first tree from different origins.
     spoiled: a "normal" turned by a small rotation, or a "family", u and v exchanged in one face.
@@ -182,7 +182,7 @@ def closing(setting: Setting, *, spoiled: str = "") -> Evidence:
     return identities(
         setting,
         found,
-        shown="on stars of order 2, 3 and 4 between rational curves with turns, sums along two "
+        shown="on stars of order 2 and 3 between rational curves with turns, sums along two "
         "spanning trees from two origins differ by one translation, and every edge is as the "
         "equations say",
     )
@@ -236,7 +236,7 @@ def construction(setting: Setting, *, spoiled: str = "", ring: bool = False) -> 
             "closing": closing(setting, spoiled=spoiled),
             "simply connected": simply_connected(setting, ring=ring),
         },
-        shown="on rational stars of order 2, 3 and 4 the equations close around every quad and "
+        shown="on rational stars of order 2 and 3 the equations close around every quad and "
         "along any path, so the net of normals gives a surface",
     )
 

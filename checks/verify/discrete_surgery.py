@@ -35,7 +35,7 @@ from theory.vectors import dot
 _BITS = 192
 #: Below this a ball of that precision is 0 for our purposes: rounding is a power of ten smaller.
 _TINY = arb(2) ** -120
-_LENGTHS = ((1, 1), (2, 1), (1, 3))
+_LENGTHS = ((1, 1), (2, 3))
 
 Case = tuple[str, SphericalNet, int, tuple[int, int]]
 
@@ -134,8 +134,8 @@ def _obstruction(net: SphericalNet, at: int) -> str:
     if least > missing:
         return (
             f"whatever the three angles: the outer ones have to exceed {_shown(least)} pi "
-            f"together, or the angles of the surface at the far ends of gamma_u and gamma_v exceed 2 pi, but "
-            f"only {_shown(missing)} pi are missing at the corner"
+            f"together, or the angles of the surface at the far ends of gamma_u and gamma_v exceed "
+            f"2 pi, but only {_shown(missing)} pi are missing at the corner"
         )
     return ""
 
