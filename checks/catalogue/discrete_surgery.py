@@ -2,6 +2,7 @@
 
 from checks.claim import Check, Claim, Erratum, Mutant
 
+_ANGLES = "checks.verify.surgery_angles"
 _SURGERY = "checks.verify.discrete_surgery"
 
 CLAIMS: tuple[Claim, ...] = (
@@ -141,7 +142,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="ends-of-the-range",
-                run=f"{_SURGERY}:deficit",
+                run=f"{_ANGLES}:deficit",
                 routes=(
                     "printed range of the sum",
                     "three angles that close",
@@ -167,7 +168,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="fans",
-                run=f"{_SURGERY}:even_degree",
+                run=f"{_ANGLES}:even_degree",
                 routes=(
                     "families of the edges in order",
                     "shipped corners and degrees",
@@ -187,7 +188,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="range-and-closing",
-                run=f"{_SURGERY}:angle",
+                run=f"{_ANGLES}:angle",
                 routes=(
                     "printed angle",
                     "printed interior sum of the new degree",
@@ -255,7 +256,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="any-step",
-                run=f"{_SURGERY}:geodesics",
+                run=f"{_ANGLES}:geodesics",
                 routes=(
                     "printed points for any k",
                     "shipped geodesic, inner products",

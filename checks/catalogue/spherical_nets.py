@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Mutant
 
 _ANGLES = "checks.verify.vertex_angles"
+_LIMIT = "checks.verify.continuum_limit"
 _GRIDS = "checks.verify.discrete_grids"
 _RHOMBI = "checks.verify.spherical_rhombi"
 _SURFACES = "checks.verify.discrete_k_surfaces"
@@ -591,6 +592,22 @@ _REMARKS: tuple[Claim, ...] = (
             "eq:d_lelieuvre",
             "eq:moutard",
             "eq:lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="orders-of-refinement",
+                run=f"{_LIMIT}:continuum_limit",
+                routes=(
+                    "shipped fill and summation from two sides",
+                    "explicit surfaces; Painleve III",
+                ),
+                mutants=(
+                    Mutant(name="order-1.9", given={"order": "19/10"}, near=True),
+                    Mutant(name="order-2.1", given={"order": "21/10"}, near=True),
+                    Mutant(name="sign-of-the-v-steps", given={"sign_v": 1}),
+                    Mutant(name="one-percent-faster", given={"speed": "101/100"}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
