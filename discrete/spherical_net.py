@@ -78,20 +78,15 @@ def assembled(curves: Sequence[Curve]) -> SphericalNet:
     return SphericalNet(complex=found.complex, normals=_in_order(normals))
 
 
-def attached_sectors(net: SphericalNet, corner: int, curves: Sequence[Curve]) -> SphericalNet:
-    """Net with sectors put in at a corner vertex, between its boundary segments and new curves.
-
-    curves: an even number of curves from the corner's normal, in the order from the u-segment to
-    the v-segment. Raises SurgeryError, GluingError, ShapeError. The old vertices keep their normals
-    and get other numbers: see `attached_with_places`.
-    """
-    return attached_with_places(net, corner, curves)[0]
-
-
 def attached_with_places(
     net: SphericalNet, corner: int, curves: Sequence[Curve]
 ) -> tuple[SphericalNet, IntArray]:
-    """Net of `attached_sectors`, and the new number of each old vertex."""
+    """Net with sectors put in at a corner vertex, and the new number of each old vertex.
+
+    curves: an even number of curves from the corner's normal, in the order from the maximal
+    u-segment of the corner to its v-segment, between which the sectors lie; the old vertices keep
+    their normals. Raises SurgeryError, GluingError, ShapeError.
+    """
     if len(curves) % 2:
         raise ShapeError(f"{len(curves)} new curves at vertex {corner}: an even number is needed")
     along_u, along_v = (boundary_segment(net.complex, corner, along_u=u) for u in (True, False))

@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Mutant
 
 _ANGLES = "checks.verify.vertex_angles"
+_PATCHES = "checks.verify.hyperboloid_patches"
 _LIMIT = "checks.verify.continuum_limit"
 _GRIDS = "checks.verify.discrete_grids"
 _RHOMBI = "checks.verify.spherical_rhombi"
@@ -21,6 +22,7 @@ _NETS: tuple[Claim, ...] = (
         ),
         labels=("def:sphchebnet",),
         hypotheses=(
+            r"a branched embedding is read as what (i) to (iii) describe",
             r"$Q \subset \mathbb R^2$ is an asymptotic complex",
             r"(used, not stated) all rhombi have one edge angle $\delta$, $0 < \delta < \pi$",
             r"(used, not stated) the rhombi are not degenerate",
@@ -625,6 +627,24 @@ _REMARKS: tuple[Claim, ...] = (
         rests_on=(
             "def:A-complex",
             "4.planar-vertex-stars",
+        ),
+        checks=(
+            Check(
+                name="equal-tangent-planes",
+                run=f"{_PATCHES}:hyperboloid_patches",
+                routes=(
+                    "weights carried along a spanning tree of the quads",
+                    "tangent planes on both sides of every edge",
+                ),
+                mutants=(
+                    Mutant(name="five-quads-around-a-vertex", given={"sectors": 5}, near=True),
+                    Mutant(name="star-not-planar", given={"lifted": True}, near=True),
+                    Mutant(
+                        name="one-weight-one-percent-larger", given={"first": "101/100"}, near=True
+                    ),
+                ),
+                tier="full",
+            ),
         ),
     ),
 )

@@ -334,7 +334,7 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("lem:Chebyshev",),
         hypotheses=(
             r"$\|N_0-N_1\| = \|N_0-N_2\|$",
-            r"$N_{12}$ is given by (eq:householder)",
+            r"$N_{12}$ is given by (eq:householder), with its factor $2$ restored",
             r"(used, not stated) $N_1 + N_2 \neq 0$",
         ),
         rests_on=(
@@ -449,9 +449,11 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("eq:d_chebyshev",),
         hypotheses=(
+            r"$N_{12}$ is the unit vector of (eq:householder), with its factor $2$ restored",
             (
-                r"(used, not stated) $\nu \neq 0$, that is, $\delta \neq \frac\pi2$; at $\nu = 0$ "
-                r"the conclusion needs another argument"
+                r"(used, not stated) $\nu \neq 0$, that is, $\delta \neq \frac\pi2$, for the "
+                r"implication; at $\nu = 0$ both lines are empty, and the conclusion holds because "
+                r"$N_{12} = -N_0$ and $\cos\delta = 0$"
             ),
         ),
         rests_on=(
@@ -484,6 +486,7 @@ CLAIMS: tuple[Claim, ...] = (
             r"quadrilateral from those on two adjacent sides, so also on the other two sides."
         ),
         hypotheses=(
+            r"(used, not stated) (eq:householder) with its factor $2$ restored",
             r"(used, not stated) no quad met on the way has $N_1 + N_2 = 0$",
             r"(used, not stated) the two sides are one $u$- and one $v$-side with a common corner",
         ),
