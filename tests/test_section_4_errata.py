@@ -1,10 +1,13 @@
-"""Numbers that the errata of section 4 quote, by numpy and fractions alone."""
+"""Numbers that the errata of section 4 quote, by numpy and fractions, and the nets they speak of."""
 
 from fractions import Fraction
 from math import acos, atan, cos, pi, sin, tan
 
 import numpy as np
 import pytest
+
+from checks.verify.surgery_samples import between_two_slots, half_monkey_star, samples, slotted
+from checks.verify.vertex_angles import net_defect
 
 
 def half_turned(p, p1, p2):
@@ -74,3 +77,10 @@ def test_equal_angles_at_the_neighbour_of_three_rhombi():
     new = (2 * pi - at_q) / 3
     assert far_angle(new) / pi == pytest.approx(0.46, abs=0.005)
     assert 3 * 0.6 + 0.46 > 2
+
+
+def test_the_nets_of_the_surgery_checks_are_spherical_chebyshev_nets():
+    hard = [between_two_slots(), slotted(), half_monkey_star()]
+    for net in [*hard, *(net for _, net in samples())]:
+        assert net_defect(net) == ""
+        assert net.complex.is_disk

@@ -47,7 +47,11 @@ CLAIMS: tuple[Claim, ...] = (
                     "surgery in balls",
                     "necessary angles at the far ends",
                 ),
-                mutants=(Mutant(name="halves", given={"parts": 2}),),
+                mutants=(
+                    Mutant(
+                        name="one-percent-longer-edges", near=True, given={"stretch": "101/100"}
+                    ),
+                ),
             ),
             Check(
                 name="free-far-ends",
@@ -60,7 +64,9 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
                 mutants=(
                     Mutant(name="any-corner", given={"far_ends": "any"}),
-                    Mutant(name="halves", given={"parts": 2}, near=True),
+                    Mutant(
+                        name="one-percent-longer-edges", near=True, given={"stretch": "101/100"}
+                    ),
                 ),
                 tier="full",
             ),
@@ -322,7 +328,7 @@ CLAIMS: tuple[Claim, ...] = (
                     "branch points after surgery",
                     "branch points before",
                 ),
-                mutants=(Mutant(name="corner-counted", given={"sectors": 5}),),
+                mutants=(Mutant(name="corner-too", given={"corner_too": True}),),
             ),
             Check(
                 name="inner-vertices-of-degree-3",
@@ -335,7 +341,7 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
                 mutants=(
                     Mutant(name="any-corner", given={"inner_degree": "any"}),
-                    Mutant(name="corner-counted", given={"sectors": 5}),
+                    Mutant(name="corner-too", given={"corner_too": True}),
                 ),
             ),
         ),

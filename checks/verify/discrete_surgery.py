@@ -58,11 +58,16 @@ def _small(x: arb) -> bool:
     return bool(abs(x) < _TINY)
 
 
-def _ranges_broken(found: Surgery) -> str:
-    """First vertex at which (eq:unramified) is certainly broken or undecided, or nothing."""
+def _ranges_broken(found: Surgery, *, but_corner: bool = False) -> str:
+    """First vertex at which (eq:unramified) is broken or not decided, or nothing.
+
+    but_corner: the corner itself is left out.
+    """
     complex_ = found.net.complex
     sums = angle_sums(complex_, ball_angles(found.net)) / arb.pi()
     for v in range(complex_.vertex_count):
+        if but_corner and v == found.corner:
+            continue
         degree = int(complex_.degree[v])
         if complex_.is_boundary[v]:
             fine = printed.in_boundary_range(sums[v], degree)
@@ -77,8 +82,9 @@ def _shown(x: arb) -> str:
     return str(x.str(6, radius=False))
 
 
-def _net_broken(net: SphericalNet, old: SphericalNet, found: Surgery) -> str:
+def _net_broken(old: SphericalNet, found: Surgery) -> str:
     """What is wrong with sides, old normals or the closing of the surface, or nothing."""
+    net = found.net
     moved = [
         v
         for v, place in enumerate(found.places)
@@ -138,12 +144,12 @@ def _obstruction(net: SphericalNet, at: int) -> str:
     return ""
 
 
-def surgery(setting: Setting, *, far_ends: str = "any", parts: int = 3) -> Evidence:
+def surgery(setting: Setting, *, far_ends: str = "any", stretch: str = "1") -> Evidence:
     """The lemma: three rectangles at any corner give a spherical Chebyshev net and a surface.
 
     far_ends: "any" corner of any net, or "free": only surgeries after which all rhombi reverse the
-    orientation and the vertices at the far ends of both segments meet (eq:unramified); parts: of
-    the missing angle.
+    orientation and all vertices but the corner, the far ends of both segments among them, meet
+    (eq:unramified); stretch: factor of the edges of the new curves.
     """
     relation = rhombus_angles(setting)
     if relation.outcome != "pass":
@@ -153,18 +159,17 @@ def surgery(setting: Setting, *, far_ends: str = "any", parts: int = 3) -> Evide
         for name, net, at, lengths in _cases(hard=True):
             tried += 1
             old = balled(net)
-            found = operated(old, at, lengths, parts=parts)
-            broken = _ranges_broken(found) if reverses_orientation(found.net) else "orientation"
-            if far_ends == "free" and parts == 3 and broken:
+            found = operated(old, at, lengths, stretch=stretch)
+            reversing = reverses_orientation(found.net)
+            ends_free = reversing and not _ranges_broken(found, but_corner=True)
+            if far_ends == "free" and not ends_free:
                 continue
             met += 1
-            q = found.corner
-            if found.net.complex.is_boundary[q] or not found.net.complex.is_disk:
-                broken = broken or "the corner is still on the boundary"
-            broken = _net_broken(found.net, old, found) or broken
-            if broken:
+            if broken := _broken(old, found, reversing):
                 why = _obstruction(old, at) or broken
                 return _failure(f"{name}, corner {at}, l = {lengths}: {why}", tried, met)
+    if not met:
+        return Evidence(outcome="undecided", grade="certified", tried=tried, met=0)
     return Evidence(
         outcome="pass",
         grade="certified",
@@ -175,6 +180,15 @@ def surgery(setting: Setting, *, far_ends: str = "any", parts: int = 3) -> Evide
         "the far ends meet (eq:unramified); each gives a net with sides of one length, the old "
         "normals, the corner inside and a surface that closes, in balls",
     )
+
+
+def _broken(old: SphericalNet, found: Surgery, reversing: bool) -> str:
+    """What the lemma says of the net after surgery that is not so, or nothing."""
+    if not reversing:
+        return "a rhombus keeps the orientation"
+    if found.net.complex.is_boundary[found.corner] or not found.net.complex.is_disk:
+        return "the corner is still on the boundary"
+    return _ranges_broken(found) or _net_broken(old, found)
 
 
 def _failure(witness: str, tried: int, met: int) -> Evidence:
@@ -267,12 +281,12 @@ def closes_corner(setting: Setting, *, parts: int = 3, added: int = 2) -> Eviden
 
 
 def changes_nothing_else(
-    setting: Setting, *, inner_degree: str = "any", sectors: int = 3
+    setting: Setting, *, inner_degree: str = "any", corner_too: bool = False
 ) -> Evidence:
     """Whether no branch point but the corner is made and none is changed.
 
     inner_degree: "any", or "3" for the corners whose segments have inner vertices of degree 3
-    only; sectors: 5 attaches five of them, by combinatorics alone.
+    only; corner_too: claims that the corner does not become one either.
     """
     tried = met = 0
     with ctx.workprec(_BITS):
@@ -286,9 +300,9 @@ def changes_nothing_else(
             met += 1
             found = operated(balled(net), at, lengths)
             before = {int(found.places[v]) for v in net.complex.branch_points}
-            after = {int(v) for v in found.net.complex.branch_points} - {found.corner}
-            if sectors == 5:
-                after = after | {found.corner}
+            after = {int(v) for v in found.net.complex.branch_points}
+            if not corner_too:
+                after -= {found.corner}
             if after != before:
                 new = sorted(after - before)
                 degree = [int(found.net.complex.degree[v]) for v in new]

@@ -10,7 +10,7 @@ import sympy as sp
 from flint import arb
 
 from checks.printed import spherical_nets as printed
-from checks.verify.spherical_samples import EDGE, POLE, ball_angles, direction, ray, star_net
+from checks.verify.spherical_samples import EDGE, POLE, ball, ball_angles, direction, ray, star_net
 from checks.verify.unit_vectors import circle
 from discrete import geodesics
 from discrete.asymptotic_complex import AsymptoticComplex
@@ -150,11 +150,12 @@ def operated(
     *,
     always_u: bool = False,
     parts: int = 3,
+    stretch: str = "1",
 ) -> Surgery:
     """Discrete surgery as in its proof, on a net in balls, at the precision in force.
 
     always_u: begins with the u-segment though the exterior may be met from v to u; parts: into
-    which the missing angle is divided.
+    which the missing angle is divided; stretch: factor of the edges of the new curves.
     """
     functions, complex_ = ball_functions(), net.complex
     total = angle_sums(complex_, ball_angles(net))[corner] / arb.pi()
@@ -164,7 +165,7 @@ def operated(
     start = boundary_segment(complex_, corner, along_u=from_u)
     end = boundary_segment(complex_, corner, along_u=not from_u)
     q, first = net.normals[corner], net.normals[start[1]]
-    delta = geodesics.distance(S2, functions, q, first)
+    delta = geodesics.distance(S2, functions, q, first) * ball(sp.Rational(stretch))
     along = geodesics.direction(S2, functions, q, first)
     curves = []
     for length in lengths:
