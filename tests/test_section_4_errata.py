@@ -1,4 +1,4 @@
-"""Numbers that the errata of section 4 quote, by numpy and fractions, and the nets they speak of."""
+"""Numbers that the errata of section 4 quote, by numpy and fractions, and nets they speak of."""
 
 from fractions import Fraction
 from math import acos, atan, cos, pi, sin, tan
