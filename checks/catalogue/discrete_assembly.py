@@ -1,6 +1,9 @@
 """Claims of section 4 on corners, boundary segments and discrete assembly."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_ASSEMBLY = "checks.verify.discrete_assembly"
+_SEGMENTS = "checks.verify.boundary_segments"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -14,6 +17,19 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("def:corner",),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="edge-by-edge",
+                run=f"{_SEGMENTS}:corner_definition",
+                routes=(
+                    "definition read off the edges",
+                    "shipped corners",
+                ),
+                mutants=(
+                    Mutant(name="anywhere-in-the-complex", given={"where": "anywhere"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.boundary-segment",
@@ -26,6 +42,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) the edges $E_i$ are distinct",),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="chains-and-near-misses",
+                run=f"{_SEGMENTS}:segment_definition",
+                routes=(
+                    "definition read off the edges",
+                    "shipped maximal segments",
+                ),
+                mutants=(
+                    Mutant(name="two-families", given={"families": 2}, near=True),
+                    Mutant(name="no-family", given={"families": 0}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="lem:segments",
@@ -48,6 +78,17 @@ CLAIMS: tuple[Claim, ...] = (
             "4.boundary-is-a-jordan-curve",
             "4.two-boundary-edges-at-a-corner",
         ),
+        checks=(
+            Check(
+                name="all-segments",
+                run=f"{_SEGMENTS}:segments",
+                routes=(
+                    "every run of boundary edges of one family",
+                    "shipped corners and maximal segments",
+                ),
+                mutants=(Mutant(name="corners-inside", given={"inside": True}),),
+            ),
+        ),
     ),
     Claim(
         id="4.boundary-is-a-jordan-curve",
@@ -65,6 +106,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("remark:simply_connected",),
+        checks=(
+            Check(
+                name="one-closed-path",
+                run=f"{_SEGMENTS}:jordan_curve",
+                routes=(
+                    "path traced along the boundary",
+                    "shipped boundary vertices",
+                ),
+                mutants=(Mutant(name="ring", given={"ring": True}),),
+            ),
+        ),
     ),
     Claim(
         id="4.two-boundary-edges-at-a-corner",
@@ -77,6 +129,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "def:corner",
             "4.boundary-is-a-jordan-curve",
+        ),
+        checks=(
+            Check(
+                name="counted",
+                run=f"{_SEGMENTS}:two_edges_at_a_corner",
+                routes=(
+                    "boundary edges at each corner",
+                    "printed number",
+                ),
+                mutants=(Mutant(name="three", given={"number": 3}, near=True),),
+            ),
         ),
     ),
     Claim(
@@ -111,6 +174,56 @@ CLAIMS: tuple[Claim, ...] = (
             "4.assembly-families",
             "lem:construct",
         ),
+        checks=(
+            Check(
+                name="any-curves",
+                run=f"{_ASSEMBLY}:assembly",
+                routes=(
+                    "shipped assembly of rational curves",
+                    "the three conditions as printed",
+                ),
+                mutants=(
+                    Mutant(name="winding-once-less", given={"winding": 1}, near=True),
+                    Mutant(name="longer-edges", given={"longer": True}),
+                ),
+            ),
+            Check(
+                name="reversing-curves",
+                run=f"{_ASSEMBLY}:assembly",
+                form="corrected",
+                given={"data": "reversing"},
+                routes=(
+                    "shipped assembly of rational curves",
+                    "the three conditions as printed, sums along a tree",
+                ),
+                mutants=(
+                    Mutant(name="any-curves", given={"data": "any"}),
+                    Mutant(name="winding-once-less", given={"winding": 1}, near=True),
+                    Mutant(name="longer-edges", given={"longer": True}, near=True),
+                ),
+                tier="full",
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"(i), (ii), (iii) determine a spherical Chebyshev net",
+            corrected=(
+                r"they do if every rhombus that (eq:householder), with its factor $2$, makes of "
+                r"the curves reverses the orientation, as for short curves that do not fold back"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"four geodesics from $N = (1,0,0)$ at right angles, $\cos\delta = \frac35$, $l_i "
+                r"= 2$: the normals $\frac1{17}(1,12,-12)$, $\frac1{1765}(-1341,712,-900)$, "
+                r"$\frac1{1765}(-1341,900,-712)$ are three corners of the rhombus farthest from "
+                r"$N$, and it keeps the orientation: the determinant with the middle vertex first "
+                r"is $\frac{373744}{3115225} > 0$, but $-\frac{16}{25}$ for the rhombus at $N$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"also $\gamma_i(2) = \gamma_i(0)$ is allowed by (iii); the rhombi of geodesics "
+                r"degenerate at the singular edge of the surface"
+            ),
+        ),
     ),
     Claim(
         id="4.assembly-unique",
@@ -132,6 +245,20 @@ CLAIMS: tuple[Claim, ...] = (
             "lem:discrete_assembly",
             "eq:householder",
         ),
+        checks=(
+            Check(
+                name="closure-under-the-rule",
+                run=f"{_ASSEMBLY}:unique",
+                routes=(
+                    "vertices that quads with one unknown give",
+                    "shipped star, roots of the quadratic",
+                ),
+                mutants=(
+                    Mutant(name="one-vertex-missing", given={"missing": 1}, near=True),
+                    Mutant(name="one-edge-larger", given={"larger": True}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.assembly-domains",
@@ -141,6 +268,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"$J_i = \{0,\ldots,l_{i-1}\} \times \{0,\ldots,l_i\}$, $i = 1,\ldots,2m$, with $l_0 = "
             r"l_{2m}$ and $J_0 = J_{2m}$."
+        ),
+        checks=(
+            Check(
+                name="sizes",
+                run=f"{_ASSEMBLY}:domains",
+                routes=(
+                    "printed rectangles",
+                    "shipped star",
+                ),
+                mutants=(Mutant(name="index-off-by-one", given={"back": 2}, near=True),),
+            ),
         ),
     ),
     Claim(
@@ -158,6 +296,46 @@ CLAIMS: tuple[Claim, ...] = (
             "4.assembly-domains",
             "def:A-complex",
         ),
+        checks=(
+            Check(
+                name="onto-the-far-side",
+                run=f"{_ASSEMBLY}:attaching",
+                routes=(
+                    "rectangles glued by the printed maps",
+                    "shipped star",
+                ),
+                mutants=(Mutant(name="one-in", given={"onto": "1"}, near=True),),
+            ),
+            Check(
+                name="onto-the-near-side",
+                run=f"{_ASSEMBLY}:attaching",
+                form="corrected",
+                given={"onto": "0"},
+                routes=(
+                    "rectangles glued by the maps onto (0, k)",
+                    "shipped star",
+                ),
+                mutants=(
+                    Mutant(name="one-in", given={"onto": "1"}, near=True),
+                    Mutant(name="far-side", given={"onto": "previous"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\chi_i : (k,0) \in J_i \mapsto (l_{i-1},k) \in J_{i-1}$",
+            corrected=r"$\chi_i : (k,0) \in J_i \mapsto (0,k) \in J_{i-1}$",
+            kind="misprint",
+            witness=(
+                r"all $l_i = 1$: $\chi_i(0,0) = (1,0)$, where $N_{i-1} = \gamma_{i-2}(1)$, but "
+                r"$N_i(0,0) = (0,0,1)$; for $l = (3,2,4,1)$ the point $\chi_2(0,0) = (3,0)$ lies "
+                r"outside of $J_1 = \{0,1\}\times\{0,1,2,3\}$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"the proof's next sentence, $N_i(k,0) = \gamma_{i-1}(k) = N_{i-1}(0,k)$, uses the "
+                r"corrected map"
+            ),
+        ),
     ),
     Claim(
         id="4.assembly-data",
@@ -174,6 +352,17 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:householder",
             "4.goursat-solution",
         ),
+        checks=(
+            Check(
+                name="sides-and-extension",
+                run=f"{_ASSEMBLY}:assembly_data",
+                routes=(
+                    "printed data extended by the printed root",
+                    "shipped assembly",
+                ),
+                mutants=(Mutant(name="curves-exchanged", given={"exchanged": True}),),
+            ),
+        ),
     ),
     Claim(
         id="4.assembly-agreement",
@@ -184,6 +373,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.assembly-attaching",
             "4.assembly-data",
+        ),
+        checks=(
+            Check(
+                name="on-the-attached-side",
+                run=f"{_ASSEMBLY}:agreement",
+                routes=(
+                    "N_i on its side",
+                    "N_(i-1) on the side attached",
+                ),
+                mutants=(
+                    Mutant(name="one-in", given={"onto": "1"}, near=True),
+                    Mutant(name="far-side", given={"onto": "previous"}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -199,6 +402,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.assembly-domains",
             "4.assembly-attaching",
+        ),
+        checks=(
+            Check(
+                name="parity",
+                run=f"{_ASSEMBLY}:families",
+                routes=(
+                    "parity of the curves",
+                    "shipped star",
+                ),
+                mutants=(Mutant(name="odd-number-of-curves", given={"odd": True}, near=True),),
+            ),
         ),
     ),
 )

@@ -1,6 +1,11 @@
 """Claims of section 4 up to the compatibility condition: grids and discrete K-surfaces."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_GRIDS = "checks.verify.discrete_grids"
+_LELIEUVRE = "checks.verify.discrete_lelieuvre"
+_LIMIT = "checks.verify.lelieuvre_limit"
+_SURFACES = "checks.verify.discrete_k_surfaces"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -19,6 +24,45 @@ CLAIMS: tuple[Claim, ...] = (
             r"$\epsilon > 0$",
         ),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="second-index-from-one",
+                run=f"{_GRIDS}:grid_in_a_face",
+                routes=(
+                    "printed index ranges",
+                    "cells of the shipped rectangle",
+                ),
+                mutants=(Mutant(name="first-index-too", near=True, given={"first_u": 1}),),
+            ),
+            Check(
+                name="second-index-from-zero",
+                run=f"{_GRIDS}:grid_in_a_face",
+                form="corrected",
+                given={"first_v": 0},
+                routes=(
+                    "index ranges from 0",
+                    "cells of the shipped rectangle",
+                ),
+                mutants=(
+                    Mutant(name="second-from-one", given={"first_v": 1}, near=True),
+                    Mutant(name="first-from-one", given={"first_u": 1}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r" "
+                r"$\{0,\epsilon,\ldots,i_k\epsilon\}\times\{\epsilon,2\epsilon,\ldots,j_k\epsilon\}$"
+            ),
+            corrected=r"$\{0,\epsilon,\ldots,i_k\epsilon\}\times\{0,\epsilon,\ldots,j_k\epsilon\}$",
+            kind="misprint",
+            witness=(
+                r"$i_k = j_k = 1$: the printed set has the two nodes $(0,\epsilon)$ and "
+                r"$(\epsilon,\epsilon)$, none on the side $v = 0$ and no quad"
+            ),
+            conclusion_survives=True,
+            remark=r"the discrete $v$-curves two lines below start at $j = 0$",
+        ),
     ),
     Claim(
         id="4.commensurable-sides",
@@ -37,6 +81,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="rounded-ribbons",
+                run=f"{_GRIDS}:commensurable",
+                routes=(
+                    "sides rounded to the nearest multiple",
+                    "ribbons of opposite and shared sides",
+                ),
+                mutants=(
+                    Mutant(name="rounded-differently", given={"alike": False}),
+                    Mutant(name="closer", given={"bound": "2/5"}, near=True),
+                    Mutant(name="sides-shorter-than-the-mesh", given={"infinite": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.discrete-asymptotic-curves",
@@ -49,6 +108,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$0 \le i_0 \le i_k$, $0 \le j_0 \le j_k$",),
         rests_on=("4.grid-in-a-face",),
+        checks=(
+            Check(
+                name="lines-of-a-grid",
+                run=f"{_GRIDS}:asymptotic_curves",
+                routes=(
+                    "printed index sets",
+                    "edges by family of the shipped rectangle",
+                ),
+                mutants=(
+                    Mutant(name="from-one", given={"first": 1}, near=True),
+                    Mutant(name="families-exchanged", given={"exchanged": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.grid-is-a-quadgraph",
@@ -61,6 +134,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"$\mathbb R^2$."
         ),
         rests_on=("def:A-complex",),
+        checks=(
+            Check(
+                name="unit-squares",
+                run=f"{_GRIDS}:grid_is_a_quadgraph",
+                routes=(
+                    "printed unit squares",
+                    "shipped rectangle and its tests of strong regularity",
+                ),
+                mutants=(Mutant(name="overlapping-squares", given={"width": 2}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="4.quadgraph-of-a-complex",
@@ -80,6 +164,20 @@ CLAIMS: tuple[Claim, ...] = (
             "4.grid-in-a-face",
             "4.commensurable-sides",
         ),
+        checks=(
+            Check(
+                name="divided-complexes",
+                run=f"{_GRIDS}:quadgraph_of_a_complex",
+                routes=(
+                    "grids joined node by node",
+                    "topology of the complex before division",
+                ),
+                mutants=(
+                    Mutant(name="grids-without-two-sides", given={"first": 1}, near=True),
+                    Mutant(name="shared-side-divided-unlike", given={"common": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.normal-before-position",
@@ -95,6 +193,17 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:d_lelieuvre",
             "eq:d_compatible",
             "eq:lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="two-steps",
+                run=f"{_LELIEUVRE}:normal_before_position",
+                routes=(
+                    "shipped fill and summation in rational numbers",
+                    "printed steps and condition",
+                ),
+                mutants=(Mutant(name="mirror-image", given={"rule": "reflection"}),),
+            ),
         ),
     ),
     Claim(
@@ -117,6 +226,21 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:lelieuvre",
             "eq:lorentz_harmonic",
         ),
+        checks=(
+            Check(
+                name="unknown-unit-normal",
+                run=f"{_LIMIT}:face_reduces_to_moutard",
+                routes=(
+                    "printed Lelieuvre formulae on an unknown normal",
+                    "fundamental forms by differentiation",
+                ),
+                mutants=(
+                    Mutant(name="sign", given={"sign": 1}),
+                    Mutant(name="not-a-unit-normal", given={"unit": False}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="4.shift-notation",
@@ -126,6 +250,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"$f_{i,j} = f_0$, $f_{i+1,j} = f_1$, $f_{i,j+1} = f_2$, $f_{i+1,j+1} = f_{12}$ on an "
             r"elementary quad: shift $1$ is along $u$, shift $2$ along $v$."
+        ),
+        checks=(
+            Check(
+                name="corners-of-a-quad",
+                run=f"{_GRIDS}:shift_notation",
+                routes=(
+                    "printed shifts",
+                    "corners p, p_u, p_v, p_uv of the shipped faces",
+                ),
+                mutants=(Mutant(name="shifts-exchanged", given={"exchanged": True}),),
+            ),
         ),
     ),
     Claim(
@@ -141,6 +276,24 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "eq:d_lelieuvre",
             "4.shift-notation",
+        ),
+        checks=(
+            Check(
+                name="recognised-from-its-points",
+                run=f"{_SURFACES}:k_surface_definition",
+                routes=(
+                    "normals that the points were summed from",
+                    "normals of the planes of the stars",
+                ),
+                mutants=(
+                    Mutant(name="vertex-lifted", given={"moved": "vertex"}, near=True),
+                    Mutant(
+                        name="vertex-moved-in-its-plane", given={"moved": "sideways"}, near=True
+                    ),
+                    Mutant(name="scaled", given={"moved": "scaled"}),
+                    Mutant(name="accepts-what-is-one", given={"refused": ""}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -158,6 +311,32 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.shift-notation",),
+        checks=(
+            Check(
+                name="shipped-surface",
+                run=f"{_LELIEUVRE}:steps_of_a_surface",
+                routes=(
+                    "printed steps along all edges",
+                    "shipped summation along a column and the rows",
+                ),
+                mutants=(
+                    Mutant(name="sign-u", given={"sign_u": -1}),
+                    Mutant(name="sign-v", given={"sign_v": 1}),
+                ),
+            ),
+            Check(
+                name="turning-normals",
+                run=f"{_LELIEUVRE}:steps_in_a_moved_frame",
+                routes=(
+                    "printed steps",
+                    "planar stars and normals turned about the edges",
+                ),
+                mutants=(
+                    Mutant(name="sign-u", given={"sign_u": -1}),
+                    Mutant(name="sign-v", given={"sign_v": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.lelieuvre-discretised",
@@ -174,6 +353,21 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:d_lelieuvre",
             "eq:lelieuvre",
         ),
+        checks=(
+            Check(
+                name="orders",
+                run=f"{_LIMIT}:lelieuvre_discretised",
+                routes=(
+                    "printed discrete steps on a Taylor polynomial",
+                    "printed differential formulae",
+                ),
+                mutants=(
+                    Mutant(name="second-order-at-the-vertex", given={"vertex_order": 2}, near=True),
+                    Mutant(name="third-order-in-the-middle", given={"middle_order": 3}, near=True),
+                    Mutant(name="first-order-in-the-middle", given={"middle_order": 1}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.edges-orthogonal-to-normal",
@@ -185,6 +379,19 @@ CLAIMS: tuple[Claim, ...] = (
             r"every solution of (eq:d_lelieuvre)."
         ),
         rests_on=("eq:d_lelieuvre",),
+        checks=(
+            Check(
+                name="four-neighbours",
+                run=f"{_LELIEUVRE}:orthogonal",
+                routes=(
+                    "printed steps for arbitrary normals",
+                    "shipped surface in rational numbers",
+                ),
+                mutants=(
+                    Mutant(name="normal-of-the-neighbour", given={"swapped": True}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.planar-vertex-stars",
@@ -196,6 +403,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"neighbours lie in one plane, also at a vertex of degree $2m$."
         ),
         rests_on=("4.edges-orthogonal-to-normal",),
+        checks=(
+            Check(
+                name="stars-of-degree-4-and-6",
+                run=f"{_SURFACES}:planar_stars",
+                routes=(
+                    "points summed along a spanning tree",
+                    "normals of the net",
+                ),
+                mutants=(
+                    Mutant(name="vertex-lifted", given={"lifted": True}, near=True),
+                    Mutant(name="normal-of-the-next-vertex", given={"longer": True}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.quad-labelling",
@@ -214,6 +435,20 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:d_lelieuvre",
             "def:A-complex",
         ),
+        checks=(
+            Check(
+                name="four-choices-of-the-vertex-0",
+                run=f"{_LELIEUVRE}:labellings",
+                routes=(
+                    "printed steps from each vertex",
+                    "printed steps from one vertex, reversed",
+                ),
+                mutants=(
+                    Mutant(name="families-exchanged", given={"families": "exchanged"}),
+                    Mutant(name="symmetric-step", given={"sign": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.two-paths",
@@ -226,6 +461,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"N_2$."
         ),
         rests_on=("eq:d_lelieuvre",),
+        checks=(
+            Check(
+                name="stepping",
+                run=f"{_LELIEUVRE}:two_paths",
+                routes=(
+                    "printed sums",
+                    "printed steps one after the other",
+                ),
+                mutants=(
+                    Mutant(name="sign-by-1", given={"second": 1}),
+                    Mutant(name="sign-by-2", given={"last": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:d_compatible",
@@ -238,6 +487,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("eq:d_compatible",),
         rests_on=("4.two-paths",),
+        checks=(
+            Check(
+                name="both-equalities",
+                run=f"{_LELIEUVRE}:compatible",
+                routes=(
+                    "printed sums and product",
+                    "gap of the two paths by printed steps",
+                ),
+                mutants=(
+                    Mutant(name="sign-in-the-bracket", given={"last": -1}),
+                    Mutant(name="difference-of-normals", given={"sign": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.condition-discretised",
@@ -251,6 +514,22 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) the mesh size $h$, a common factor $h^2$, is left out",),
         rests_on=("eq:lorentz_harmonic",),
+        checks=(
+            Check(
+                name="order-at-the-centre",
+                run=f"{_LIMIT}:condition_discretised",
+                routes=(
+                    "printed first line on a Taylor polynomial",
+                    "N_uv x N from its coefficients",
+                ),
+                mutants=(
+                    Mutant(name="power-1", given={"power": 1}, near=True),
+                    Mutant(name="next-power-5", given={"next_power": 5}, near=True),
+                    Mutant(name="next-power-3", given={"next_power": 3}, near=True),
+                    Mutant(name="sum-for-difference", given={"difference": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.condition-expanded",
@@ -263,6 +542,21 @@ CLAIMS: tuple[Claim, ...] = (
             r"N_0\right)$."
         ),
         rests_on=("4.condition-discretised",),
+        checks=(
+            Check(
+                name="first-and-second-line",
+                run=f"{_LELIEUVRE}:condition_expanded",
+                routes=(
+                    "printed first line",
+                    "printed second line",
+                ),
+                mutants=(
+                    Mutant(name="half-of-it", given={"half": "1/4"}),
+                    Mutant(name="sign", given={"last": 1}),
+                    Mutant(name="one-percent", given={"half": "101/200"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eqn:discreteconstantcurvaturepde",
@@ -276,6 +570,21 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("eqn:discreteconstantcurvaturepde",),
         rests_on=("4.condition-expanded",),
+        checks=(
+            Check(
+                name="three-lines",
+                run=f"{_LELIEUVRE}:condition_factored",
+                routes=(
+                    "printed third line",
+                    "printed first and second lines",
+                ),
+                mutants=(
+                    Mutant(name="half-of-it", given={"half": "1/4"}),
+                    Mutant(name="sign", given={"sign": -1}),
+                    Mutant(name="one-percent", given={"half": "101/200"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.same-compatibility",
@@ -293,6 +602,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "eqn:discreteconstantcurvaturepde",
             "eq:d_compatible",
+        ),
+        checks=(
+            Check(
+                name="constant-multiple",
+                run=f"{_LELIEUVRE}:same_condition",
+                routes=(
+                    "printed discretised condition",
+                    "printed gap of the discrete equations",
+                ),
+                mutants=(
+                    Mutant(name="sign", given={"factor": "1/2"}),
+                    Mutant(name="one-percent", given={"factor": "-101/200"}, near=True),
+                ),
+            ),
         ),
     ),
 )

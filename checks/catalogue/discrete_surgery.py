@@ -1,6 +1,9 @@
 """Claims of section 4 on discrete surgery."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_ANGLES = "checks.verify.surgery_angles"
+_SURGERY = "checks.verify.discrete_surgery"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -36,6 +39,63 @@ CLAIMS: tuple[Claim, ...] = (
             "4.surgery-changes-nothing-else",
             "4.assembly-data",
         ),
+        checks=(
+            Check(
+                name="any-corner",
+                run=f"{_SURGERY}:surgery",
+                routes=(
+                    "surgery in balls",
+                    "necessary angles at the far ends",
+                ),
+                mutants=(
+                    Mutant(
+                        name="one-percent-longer-edges", near=True, given={"stretch": "101/100"}
+                    ),
+                ),
+            ),
+            Check(
+                name="free-far-ends",
+                run=f"{_SURGERY}:surgery",
+                form="corrected",
+                given={"far_ends": "free"},
+                routes=(
+                    "surgery in balls",
+                    "(eq:unramified), sides, closing of the surface",
+                ),
+                mutants=(
+                    Mutant(name="any-corner", given={"far_ends": "any"}),
+                    Mutant(
+                        name="one-percent-longer-edges", near=True, given={"stretch": "101/100"}
+                    ),
+                ),
+                tier="full",
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"for every corner $q$ and all $l_1, l_2$ the net extends to a spherical Chebyshev "
+                r"net on $Q'$ with an unramified surface"
+            ),
+            corrected=(
+                r"it does if all new rhombi reverse the orientation and, at the far ends of "
+                r"$\gamma_u$ and $\gamma_v$, the angles of the surface with that of the new "
+                r"rhombus still add up to less than $2\pi$"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"five rhombi with $\cos\delta = \frac{99}{101}$: one at $q$, of angle about "
+                r"$0.7\pi$, and two more at each of its neighbours, where the surface's angles add "
+                r"up to about $1.9\pi$. A new rhombus has $\tan\frac A2\tan\frac B2 = \cos\delta$ "
+                r"for its angles at $q$ and at the neighbour, so $B < 0.1\pi$ needs $A > 0.89\pi$ "
+                r"on both sides, but only $1.3\pi$ are missing at $q$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"the failure is at concave corners; for equal angles, as in the proof, three "
+                r"rhombi of angle $0.6\pi$ around a vertex are enough: at its neighbour $q$ the "
+                r"new one adds about $0.46\pi$ to $1.8\pi$"
+            ),
+        ),
     ),
     Claim(
         id="4.surgery-outer-curves",
@@ -55,6 +115,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("lem:segments",),
+        checks=(
+            Check(
+                name="between-the-segments",
+                run=f"{_SURGERY}:outer_curves",
+                routes=(
+                    "three turns by the printed angle",
+                    "direction of the other segment",
+                ),
+                mutants=(Mutant(name="always-from-u", given={"always_u": True}),),
+            ),
+        ),
     ),
     Claim(
         id="4.surgery-deficit",
@@ -74,6 +145,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:unramified",),
+        checks=(
+            Check(
+                name="ends-of-the-range",
+                run=f"{_ANGLES}:deficit",
+                routes=(
+                    "printed range of the sum",
+                    "three angles that close",
+                ),
+                mutants=(
+                    Mutant(name="two-for-three", given={"high": "2"}, near=True),
+                    Mutant(name="below-three-halves", given={"most": "3/2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.corner-degree-even",
@@ -86,6 +171,17 @@ CLAIMS: tuple[Claim, ...] = (
             "def:corner",
             "def:A-complex",
         ),
+        checks=(
+            Check(
+                name="fans",
+                run=f"{_ANGLES}:even_degree",
+                routes=(
+                    "families of the edges in order",
+                    "shipped corners and degrees",
+                ),
+                mutants=(Mutant(name="odd", given={"swapped": True}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="4.surgery-angle",
@@ -95,6 +191,20 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$\alpha = -\pi + \delta/3 \in (-\pi,0)$.",
         hypotheses=(r"$\delta$ is the missing angle at $q$",),
         rests_on=("4.surgery-deficit",),
+        checks=(
+            Check(
+                name="range-and-closing",
+                run=f"{_ANGLES}:angle",
+                routes=(
+                    "printed angle",
+                    "printed interior sum of the new degree",
+                ),
+                mutants=(
+                    Mutant(name="halves", given={"parts": "2"}, near=True),
+                    Mutant(name="sign", given={"shift": "1"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.surgery-directions",
@@ -113,6 +223,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.surgery-angle",
             "4.surgery-outer-curves",
+        ),
+        checks=(
+            Check(
+                name="third-angle",
+                run=f"{_SURGERY}:directions",
+                routes=(
+                    "three turns by the printed angle",
+                    "direction of the other segment",
+                ),
+                mutants=(Mutant(name="halves", given={"parts": 2}, near=True),),
+            ),
         ),
     ),
     Claim(
@@ -138,6 +259,20 @@ CLAIMS: tuple[Claim, ...] = (
             "4.surgery-directions",
             "4.edge-angle",
         ),
+        checks=(
+            Check(
+                name="any-step",
+                run=f"{_ANGLES}:geodesics",
+                routes=(
+                    "printed points for any k",
+                    "shipped geodesic, inner products",
+                ),
+                mutants=(
+                    Mutant(name="nothing-subtracted", given={"subtracted": 0}, near=True),
+                    Mutant(name="missing-angle", given={"angle": "missing"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.surgery-closes-corner",
@@ -153,6 +288,20 @@ CLAIMS: tuple[Claim, ...] = (
             "4.surgery-angle",
             "4.surgery-directions",
             "4.corner-degree-even",
+        ),
+        checks=(
+            Check(
+                name="degree-and-sum",
+                run=f"{_SURGERY}:closes_corner",
+                routes=(
+                    "surgery in balls",
+                    "printed interior sum of the new degree",
+                ),
+                mutants=(
+                    Mutant(name="halves", given={"parts": 2}, near=True),
+                    Mutant(name="degree-plus-4", given={"added": 4}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -171,5 +320,43 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.surgery-closes-corner",),
+        checks=(
+            Check(
+                name="any-corner",
+                run=f"{_SURGERY}:changes_nothing_else",
+                routes=(
+                    "branch points after surgery",
+                    "branch points before",
+                ),
+                mutants=(Mutant(name="corner-too", given={"corner_too": True}),),
+            ),
+            Check(
+                name="inner-vertices-of-degree-3",
+                run=f"{_SURGERY}:changes_nothing_else",
+                form="corrected",
+                given={"inner_degree": "3"},
+                routes=(
+                    "branch points after surgery",
+                    "branch points before",
+                ),
+                mutants=(
+                    Mutant(name="any-corner", given={"inner_degree": "any"}),
+                    Mutant(name="corner-too", given={"corner_too": True}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"no further branch points are introduced",
+            corrected=r"none are, if every vertex inside $\gamma_u$ and $\gamma_v$ has degree $3$",
+            kind="hypothesis",
+            witness=(
+                r"four of the six sectors of a star of order $3$ with two edges on each ray: its "
+                r"centre has degree $5$ and lies inside the boundary segment of two $u$-rays. "
+                r"Surgery at the end of that segment makes the centre an interior vertex of degree "
+                r"$6$, $m = 3$"
+            ),
+            conclusion_survives=True,
+            remark=r"the new net meets (eq:unramified) nevertheless",
+        ),
     ),
 )

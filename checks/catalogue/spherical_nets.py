@@ -1,6 +1,13 @@
 """Claims of section 4, discrete K-surfaces and spherical Chebyshev nets."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
+
+_ANGLES = "checks.verify.vertex_angles"
+_PATCHES = "checks.verify.hyperboloid_patches"
+_LIMIT = "checks.verify.continuum_limit"
+_GRIDS = "checks.verify.discrete_grids"
+_RHOMBI = "checks.verify.spherical_rhombi"
+_SURFACES = "checks.verify.discrete_k_surfaces"
 
 _NETS: tuple[Claim, ...] = (
     Claim(
@@ -15,6 +22,7 @@ _NETS: tuple[Claim, ...] = (
         ),
         labels=("def:sphchebnet",),
         hypotheses=(
+            r"a branched embedding is read as what (i) to (iii) describe",
             r"$Q \subset \mathbb R^2$ is an asymptotic complex",
             r"(used, not stated) all rhombi have one edge angle $\delta$, $0 < \delta < \pi$",
             r"(used, not stated) the rhombi are not degenerate",
@@ -22,6 +30,22 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "def:A-complex",
             "eq:unramified",
+        ),
+        checks=(
+            Check(
+                name="instances-and-near-misses",
+                run=f"{_ANGLES}:net_definition",
+                routes=(
+                    "rational stars by the shipped assembly",
+                    "the three conditions as printed",
+                ),
+                mutants=(
+                    Mutant(name="mirror-image", given={"spoiled": "mirrored"}),
+                    Mutant(name="winding-once-less", given={"spoiled": "winding"}, near=True),
+                    Mutant(name="one-side-longer", given={"spoiled": "side"}, near=True),
+                    Mutant(name="accepts-what-is-one", given={"refused": "none"}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -43,6 +67,22 @@ _NETS: tuple[Claim, ...] = (
             r"(used, not stated) the angle of the surface in the face $F_k$ is $\pi + \alpha_k$",
         ),
         rests_on=("eq:d_lelieuvre",),
+        checks=(
+            Check(
+                name="angles-of-the-surface",
+                run=f"{_ANGLES}:unramified",
+                routes=(
+                    "printed ranges",
+                    "angles between the printed edges; rational stars",
+                ),
+                mutants=(
+                    Mutant(name="first-2", given={"first": "2"}, near=True),
+                    Mutant(name="half-of-it", given={"factor": "1"}),
+                    Mutant(name="low-2", given={"low": "2"}, near=True),
+                    Mutant(name="high-4", given={"high": "4"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.condition-of-covering-number",
@@ -60,6 +100,17 @@ _NETS: tuple[Claim, ...] = (
             "eq:unramified",
             "lem:covering-number",
         ),
+        checks=(
+            Check(
+                name="winding-of-stars",
+                run=f"{_ANGLES}:covering_number",
+                routes=(
+                    "sum of the angles in balls",
+                    "shipped winding number, order of saddleness",
+                ),
+                mutants=(Mutant(name="winding-once-less", given={"winding": "2-m"}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="4.boundary-degree-parity",
@@ -74,6 +125,17 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "def:A-complex",
             "def:corner",
+        ),
+        checks=(
+            Check(
+                name="fans",
+                run=f"{_ANGLES}:degree_parity",
+                routes=(
+                    "families of the edges in order",
+                    "shipped corners and degrees",
+                ),
+                mutants=(Mutant(name="swapped", given={"swapped": True}),),
+            ),
         ),
     ),
     Claim(
@@ -90,6 +152,21 @@ _NETS: tuple[Claim, ...] = (
             "eq:unramified",
             "4.boundary-degree-parity",
         ),
+        checks=(
+            Check(
+                name="two-sectors",
+                run=f"{_ANGLES}:edge_vertex_closes",
+                routes=(
+                    "printed boundary range",
+                    "printed interior sum of the new degree",
+                ),
+                mutants=(
+                    Mutant(name="one-sector", given={"sectors": 1}, near=True),
+                    Mutant(name="three-sectors", given={"sectors": 3}, near=True),
+                    Mutant(name="wider-range", given={"high": 4}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.corner-vertex-closes-with-three",
@@ -104,6 +181,21 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "eq:unramified",
             "4.boundary-degree-parity",
+        ),
+        checks=(
+            Check(
+                name="three-sectors",
+                run=f"{_ANGLES}:corner_vertex_closes",
+                routes=(
+                    "printed boundary range",
+                    "printed interior sum of the new degree",
+                ),
+                mutants=(
+                    Mutant(name="one-sector", given={"sectors": 1}),
+                    Mutant(name="two-sectors", given={"sectors": 2}, near=True),
+                    Mutant(name="wider-range", given={"high": 4}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -131,6 +223,34 @@ _NETS: tuple[Claim, ...] = (
             "eq:d_compatible",
             "4.integration-along-paths",
         ),
+        checks=(
+            Check(
+                name="sums-along-two-trees",
+                run=f"{_SURFACES}:construction",
+                routes=(
+                    "points summed breadth first",
+                    "points summed depth first from another vertex",
+                ),
+                mutants=(
+                    Mutant(name="normal-turned", given={"spoiled": "normal"}),
+                    Mutant(name="families-exchanged", given={"spoiled": "family"}),
+                    Mutant(name="ring", given={"ring": True}),
+                ),
+            ),
+            Check(
+                name="degenerate-rhombi-excluded",
+                run=f"{_RHOMBI}:sums_parallel",
+                part="quads",
+                routes=(
+                    "Gram determinant of four vectors in space",
+                    "printed condition on coordinates",
+                ),
+                mutants=(
+                    Mutant(name="degenerate", given={"degenerate": True}),
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.colorable-quadgraph",
@@ -151,6 +271,17 @@ _NETS: tuple[Claim, ...] = (
             "def:A-complex",
             "remark:simply_connected",
         ),
+        checks=(
+            Check(
+                name="colourings-and-divisions",
+                run=f"{_GRIDS}:colorable",
+                routes=(
+                    "two-colourings of the dual graph",
+                    "divisions of the edges, carried from face to face",
+                ),
+                mutants=(Mutant(name="ring", given={"ring": True}),),
+            ),
+        ),
     ),
     Claim(
         id="4.diagonal-orthogonal-to-total",
@@ -166,6 +297,20 @@ _NETS: tuple[Claim, ...] = (
             "def:sphchebnet",
             "4.edge-angle",
         ),
+        checks=(
+            Check(
+                name="gram",
+                run=f"{_RHOMBI}:orthogonal_to_total",
+                routes=(
+                    "printed expansion",
+                    "inner products of unit vectors known by them alone",
+                ),
+                mutants=(
+                    Mutant(name="sign", given={"last": 1}),
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.sums-orthogonal-to-first-diagonal",
@@ -178,6 +323,20 @@ _NETS: tuple[Claim, ...] = (
             r"(used, not stated) the two terms of the sum before it vanish one by one",
         ),
         rests_on=("4.diagonal-orthogonal-to-total",),
+        checks=(
+            Check(
+                name="gram",
+                run=f"{_RHOMBI}:sums_and_first_diagonal",
+                routes=(
+                    "inner products of four vectors known by them alone",
+                    "zero",
+                ),
+                mutants=(
+                    Mutant(name="not-unit-vectors", given={"unit": False}),
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.sums-orthogonal-to-second-diagonal",
@@ -189,6 +348,20 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "def:sphchebnet",
             "4.edge-angle",
+        ),
+        checks=(
+            Check(
+                name="gram",
+                run=f"{_RHOMBI}:sums_and_second_diagonal",
+                routes=(
+                    "inner products of four vectors known by them alone",
+                    "zero",
+                ),
+                mutants=(
+                    Mutant(name="not-unit-vectors", given={"unit": False}),
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -209,6 +382,20 @@ _NETS: tuple[Claim, ...] = (
             "def:sphchebnet",
             "4.edge-angle",
         ),
+        checks=(
+            Check(
+                name="gram",
+                run=f"{_RHOMBI}:diagonals",
+                routes=(
+                    "inner products of four vectors known by them alone",
+                    "Gram determinant of the diagonals",
+                ),
+                mutants=(
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                    Mutant(name="degenerate", given={"degenerate": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.sums-parallel",
@@ -222,6 +409,21 @@ _NETS: tuple[Claim, ...] = (
             "4.sums-orthogonal-to-second-diagonal",
             "4.diagonals-orthogonal",
             "eq:d_compatible",
+        ),
+        checks=(
+            Check(
+                name="gram-determinant",
+                run=f"{_RHOMBI}:sums_parallel",
+                routes=(
+                    "Gram determinant of four vectors in space",
+                    "printed condition on coordinates",
+                ),
+                mutants=(
+                    Mutant(name="degenerate", given={"degenerate": True}),
+                    Mutant(name="three-equal-sides", given={"longer": True}),
+                    Mutant(name="another-vertex", given={"third": 1}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -242,6 +444,20 @@ _NETS: tuple[Claim, ...] = (
             "eq:d_lelieuvre",
             "4.quad-labelling",
         ),
+        checks=(
+            Check(
+                name="sums-along-two-trees",
+                run=f"{_SURFACES}:construction",
+                routes=(
+                    "points summed breadth first",
+                    "points summed depth first from another vertex",
+                ),
+                mutants=(
+                    Mutant(name="normal-turned", given={"spoiled": "normal"}),
+                    Mutant(name="ring", given={"ring": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.three-parameter-family",
@@ -253,6 +469,20 @@ _NETS: tuple[Claim, ...] = (
             r"$r(o) \in \mathbb R^3$."
         ),
         rests_on=("4.integration-along-paths",),
+        checks=(
+            Check(
+                name="rank-of-the-differences",
+                run=f"{_SURFACES}:three_parameters",
+                routes=(
+                    "exact rank of the incidence matrix",
+                    "printed number",
+                ),
+                mutants=(
+                    Mutant(name="two", given={"parameters": 2}, near=True),
+                    Mutant(name="two-pieces", given={"pieces": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.not-multi-sheeted",
@@ -275,6 +505,17 @@ _NETS: tuple[Claim, ...] = (
             "4.planar-vertex-stars",
             "lem:construct",
         ),
+        checks=(
+            Check(
+                name="angles-in-space",
+                run=f"{_ANGLES}:not_multi_sheeted",
+                routes=(
+                    "angles of the points in space, in balls",
+                    "printed condition on the normals",
+                ),
+                mutants=(Mutant(name="winding-once-less", given={"winding": "2-m"}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="4.angle-sum-is-the-degree",
@@ -286,6 +527,17 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "eq:unramified",
             "lem:covering-number",
+        ),
+        checks=(
+            Check(
+                name="winding-of-stars",
+                run=f"{_ANGLES}:covering_number",
+                routes=(
+                    "sum of the angles in balls",
+                    "shipped winding number, order of saddleness",
+                ),
+                mutants=(Mutant(name="winding-once-less", given={"winding": "2-m"}, near=True),),
+            ),
         ),
     ),
     Claim(
@@ -301,6 +553,20 @@ _NETS: tuple[Claim, ...] = (
         rests_on=(
             "lem:construct",
             "def:K-surf",
+        ),
+        checks=(
+            Check(
+                name="there-and-back",
+                run=f"{_SURFACES}:reduction",
+                routes=(
+                    "normals that the points were summed from",
+                    "normals of the planes of the stars",
+                ),
+                mutants=(
+                    Mutant(name="mirror-image", given={"sign": -1}),
+                    Mutant(name="stretched", given={"rule": "stretched"}, near=True),
+                ),
+            ),
         ),
     ),
 )
@@ -329,6 +595,22 @@ _REMARKS: tuple[Claim, ...] = (
             "eq:moutard",
             "eq:lelieuvre",
         ),
+        checks=(
+            Check(
+                name="orders-of-refinement",
+                run=f"{_LIMIT}:continuum_limit",
+                routes=(
+                    "shipped fill and summation from two sides",
+                    "explicit surfaces; Painleve III",
+                ),
+                mutants=(
+                    Mutant(name="order-1.9", given={"order": "19/10"}, near=True),
+                    Mutant(name="order-2.1", given={"order": "21/10"}, near=True),
+                    Mutant(name="sign-of-the-v-steps", given={"sign_v": 1}),
+                    Mutant(name="one-percent-faster", given={"speed": "101/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.hyperboloid-patches",
@@ -345,6 +627,24 @@ _REMARKS: tuple[Claim, ...] = (
         rests_on=(
             "def:A-complex",
             "4.planar-vertex-stars",
+        ),
+        checks=(
+            Check(
+                name="equal-tangent-planes",
+                run=f"{_PATCHES}:hyperboloid_patches",
+                routes=(
+                    "weights carried along a spanning tree of the quads",
+                    "tangent planes on both sides of every edge",
+                ),
+                mutants=(
+                    Mutant(name="five-quads-around-a-vertex", given={"sectors": 5}, near=True),
+                    Mutant(name="star-not-planar", given={"lifted": True}, near=True),
+                    Mutant(
+                        name="one-weight-one-percent-larger", given={"first": "101/100"}, near=True
+                    ),
+                ),
+                tier="full",
+            ),
         ),
     ),
 )

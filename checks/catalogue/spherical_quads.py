@@ -1,6 +1,10 @@
 """Claims of section 4 on one quad of the normal field and on its discrete Goursat problem."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_GOURSAT = "checks.verify.discrete_goursat"
+_HOUSEHOLDER = "checks.verify.householder"
+_RHOMBI = "checks.verify.spherical_rhombi"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -14,6 +18,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) $N_1 + N_2 \neq 0$",),
         rests_on=("eqn:discreteconstantcurvaturepde",),
+        checks=(
+            Check(
+                name="triple-product",
+                run=f"{_HOUSEHOLDER}:moutard_net",
+                routes=(
+                    "printed condition, multiplied by N_1 + N_2",
+                    "printed form of N_12",
+                ),
+                mutants=(
+                    Mutant(name="sign", given={"sign": 1}),
+                    Mutant(name="antipodal-neighbours", given={"antipodal": True}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.norm-of-fourth-normal",
@@ -25,6 +43,21 @@ CLAIMS: tuple[Claim, ...] = (
             r"N_1+N_2,N_0\rangle + \langle N_0,N_0\rangle$."
         ),
         rests_on=("4.moutard-net",),
+        checks=(
+            Check(
+                name="expansion",
+                run=f"{_HOUSEHOLDER}:norm_of_fourth",
+                routes=(
+                    "printed square",
+                    "square of the printed N_12",
+                ),
+                mutants=(
+                    Mutant(name="middle-1", given={"middle": -1}),
+                    Mutant(name="sign", given={"middle": 2}),
+                    Mutant(name="power-1", given={"power": 1}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.norm-of-fourth-normal-unit",
@@ -37,6 +70,21 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$\|N_0\| = 1$",),
         rests_on=("4.norm-of-fourth-normal",),
+        checks=(
+            Check(
+                name="unit-vector",
+                run=f"{_HOUSEHOLDER}:norm_of_fourth_unit",
+                routes=(
+                    "printed square",
+                    "square of the printed N_12",
+                ),
+                mutants=(
+                    Mutant(name="sign", given={"middle": 2}),
+                    Mutant(name="constant-0", given={"constant": 0}, near=True),
+                    Mutant(name="not-a-unit-vector", given={"unit": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.quadratic-for-nu",
@@ -49,6 +97,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$\|N_0\| = 1$",),
         rests_on=("4.norm-of-fourth-normal-unit",),
+        checks=(
+            Check(
+                name="norm-minus-one",
+                run=f"{_HOUSEHOLDER}:quadratic",
+                routes=(
+                    "printed quadratic form",
+                    "square of the printed N_12, minus 1",
+                ),
+                mutants=(
+                    Mutant(name="middle-1", given={"middle": -1}),
+                    Mutant(name="not-a-unit-vector", given={"unit": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.roots-for-nu",
@@ -61,6 +123,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) $N_1 + N_2 \neq 0$",),
         rests_on=("4.quadratic-for-nu",),
+        checks=(
+            Check(
+                name="factored",
+                run=f"{_HOUSEHOLDER}:roots",
+                routes=(
+                    "printed quadratic form",
+                    "product over the printed roots",
+                ),
+                mutants=(
+                    Mutant(name="without-the-2", given={"factor": "1"}),
+                    Mutant(name="one-percent", given={"factor": "101/50"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:householder",
@@ -81,6 +157,49 @@ CLAIMS: tuple[Claim, ...] = (
             "4.roots-for-nu",
             "4.moutard-net",
         ),
+        checks=(
+            Check(
+                name="without-the-2",
+                run=f"{_HOUSEHOLDER}:householder",
+                routes=(
+                    "printed matrix",
+                    "printed root, shipped half-turn",
+                ),
+                mutants=(Mutant(name="three", given={"factor": "3"}),),
+            ),
+            Check(
+                name="with-the-2",
+                run=f"{_HOUSEHOLDER}:householder",
+                form="corrected",
+                given={"factor": "2"},
+                routes=(
+                    "printed matrix with the factor 2",
+                    "printed root, shipped half-turn",
+                ),
+                mutants=(
+                    Mutant(name="without-the-2", given={"factor": "1"}),
+                    Mutant(name="one-percent", given={"factor": "99/50"}, near=True),
+                    Mutant(name="sign-of-identity", given={"identity": 1}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$N_{12} = \left[\frac{(N_1+N_2)(N_1+N_2)^T}{\langle "
+                r"N_1+N_2,N_1+N_2\rangle}-\mathbb I\right]N_0$"
+            ),
+            corrected=(
+                r"$N_{12} = \left[2\,\frac{(N_1+N_2)(N_1+N_2)^T}{\langle "
+                r"N_1+N_2,N_1+N_2\rangle}-\mathbb I\right]N_0$"
+            ),
+            kind="constant",
+            witness=(
+                r"$N_0 = N_1 = N_2$: the matrix of rank one is $N_0N_0^T$, so the printed right "
+                r"side is $0$ and no unit vector"
+            ),
+            conclusion_survives=True,
+            remark=r"the root $\nu$ two lines above has the factor $2$",
+        ),
     ),
     Claim(
         id="4.desired-root",
@@ -94,6 +213,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.roots-for-nu",
             "eq:householder",
+        ),
+        checks=(
+            Check(
+                name="limit",
+                run=f"{_HOUSEHOLDER}:desired_root",
+                routes=(
+                    "printed root along N_0 + t a, N_0 + t b",
+                    "N_0 itself",
+                ),
+                mutants=(Mutant(name="first-root", given={"chosen": "first"}),),
+            ),
         ),
     ),
     Claim(
@@ -113,6 +243,51 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:householder",),
+        checks=(
+            Check(
+                name="any-edges",
+                run=f"{_HOUSEHOLDER}:reflection_in_plane",
+                routes=(
+                    "printed root",
+                    "shipped reflection in the plane",
+                ),
+                mutants=(Mutant(name="plane-between", given={"mirror": "bisector"}),),
+            ),
+            Check(
+                name="equal-edges",
+                run=f"{_HOUSEHOLDER}:reflection_in_plane",
+                form="corrected",
+                given={"equal_edges": True},
+                routes=(
+                    "printed root",
+                    "shipped reflection in the plane and half-turn",
+                ),
+                mutants=(
+                    Mutant(name="any-edges", given={"equal_edges": False}),
+                    Mutant(name="plane-between", given={"mirror": "bisector"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$N_{12}$ is the reflection of $N_0$ through the plane generated by $N_1$ and "
+                r"$N_2$"
+            ),
+            corrected=(
+                r"$N_{12}$ is $N_0$ after the half-turn about $N_1+N_2$; it is the reflection in "
+                r"that plane if $\langle N_0,N_1\rangle = \langle N_0,N_2\rangle$"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"$N_0 = N_1 = (1,0,0)$, $N_2 = (0,1,0)$: the reflection leaves $N_0$ where it is, "
+                r"but (eq:householder), with its factor $2$, gives $(0,1,0)$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"the nets that follow have edges of one length, where both agree; minus the "
+                r"matrix is the reflection in the plane orthogonal to $N_1+N_2$"
+            ),
+        ),
     ),
     Claim(
         id="4.any-three-corners",
@@ -131,6 +306,21 @@ CLAIMS: tuple[Claim, ...] = (
             "eq:householder",
             "eq:d_compatible",
         ),
+        checks=(
+            Check(
+                name="relabelled",
+                run=f"{_HOUSEHOLDER}:determination",
+                routes=(
+                    "printed root with other corners",
+                    "the corners that N_12 was made of",
+                ),
+                mutants=(
+                    Mutant(name="opposite-for-neighbour", given={"shared": "opposite"}),
+                    Mutant(name="antipodal-neighbours", given={"antipodal": True}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="lem:Chebyshev",
@@ -144,12 +334,28 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("lem:Chebyshev",),
         hypotheses=(
             r"$\|N_0-N_1\| = \|N_0-N_2\|$",
-            r"$N_{12}$ is given by (eq:householder)",
+            r"$N_{12}$ is given by (eq:householder), with its factor $2$ restored",
             r"(used, not stated) $N_1 + N_2 \neq 0$",
         ),
         rests_on=(
             "eq:householder",
             "eq:d_chebyshev",
+        ),
+        checks=(
+            Check(
+                name="four-sides",
+                run=f"{_RHOMBI}:spherical_rhombus",
+                routes=(
+                    "printed root and shipped half-turn",
+                    "inner products of the four sides",
+                ),
+                mutants=(
+                    Mutant(name="unequal-edges", given={"equal": False}),
+                    Mutant(name="without-the-2", given={"factor": "1"}),
+                    Mutant(name="one-percent", given={"factor": "99/50"}, near=True),
+                    Mutant(name="antipodal-root", given={"root": "first"}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -161,6 +367,17 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             r"$\|N_0-N_1\| = \|N_0-N_2\|$",
             r"$\delta \in [0,\pi]$ is the angle between $N_0$ and $N_1$",
+        ),
+        checks=(
+            Check(
+                name="chords",
+                run=f"{_RHOMBI}:edge_angle",
+                routes=(
+                    "squared chords",
+                    "inner products, of unit vectors known by them alone",
+                ),
+                mutants=(Mutant(name="not-unit-vectors", given={"unit": False}),),
+            ),
         ),
     ),
     Claim(
@@ -177,6 +394,20 @@ CLAIMS: tuple[Claim, ...] = (
             "4.moutard-net",
             "4.edge-angle",
         ),
+        checks=(
+            Check(
+                name="both-roots",
+                run=f"{_RHOMBI}:rhombus_sum",
+                routes=(
+                    "printed right side",
+                    "product of sum and difference",
+                ),
+                mutants=(
+                    Mutant(name="unequal-edges", given={"equal": False}),
+                    Mutant(name="one-percent", given={"twice": "99/50"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.rhombus-difference",
@@ -192,6 +423,20 @@ CLAIMS: tuple[Claim, ...] = (
             "4.moutard-net",
             "4.edge-angle",
         ),
+        checks=(
+            Check(
+                name="both-roots",
+                run=f"{_RHOMBI}:rhombus_difference",
+                routes=(
+                    "printed products",
+                    "zero",
+                ),
+                mutants=(
+                    Mutant(name="unequal-edges", given={"equal": False}),
+                    Mutant(name="sign", given={"sign": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:d_chebyshev",
@@ -204,14 +449,31 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("eq:d_chebyshev",),
         hypotheses=(
+            r"$N_{12}$ is the unit vector of (eq:householder), with its factor $2$ restored",
             (
-                r"(used, not stated) $\nu \neq 0$, that is, $\delta \neq \frac\pi2$; at $\nu = 0$ "
-                r"the conclusion needs another argument"
+                r"(used, not stated) $\nu \neq 0$, that is, $\delta \neq \frac\pi2$, for the "
+                r"implication; at $\nu = 0$ both lines are empty, and the conclusion holds because "
+                r"$N_{12} = -N_0$ and $\cos\delta = 0$"
             ),
         ),
         rests_on=(
             "4.rhombus-sum",
             "4.rhombus-difference",
+        ),
+        checks=(
+            Check(
+                name="implication-and-conclusion",
+                run=f"{_RHOMBI}:d_chebyshev",
+                routes=(
+                    "linear equations of the two lines",
+                    "inner products of the printed fourth normal",
+                ),
+                mutants=(
+                    Mutant(name="antipodal-root", given={"root": "first"}),
+                    Mutant(name="unequal-edges", given={"equal": False}),
+                    Mutant(name="without-the-2", given={"factor": "1"}),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -224,10 +486,25 @@ CLAIMS: tuple[Claim, ...] = (
             r"quadrilateral from those on two adjacent sides, so also on the other two sides."
         ),
         hypotheses=(
+            r"(used, not stated) (eq:householder) with its factor $2$ restored",
             r"(used, not stated) no quad met on the way has $N_1 + N_2 = 0$",
             r"(used, not stated) the two sides are one $u$- and one $v$-side with a common corner",
         ),
         rests_on=("eq:householder",),
+        checks=(
+            Check(
+                name="by-columns-and-by-rows",
+                run=f"{_GOURSAT}:goursat_solution",
+                routes=(
+                    "printed root by columns",
+                    "shipped fill by rows",
+                ),
+                mutants=(
+                    Mutant(name="without-the-2", given={"factor": "1"}),
+                    Mutant(name="one-percent", given={"factor": "99/50"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.equal-steps-on-sides",
@@ -247,6 +524,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:frames",),
+        checks=(
+            Check(
+                name="chord-of-the-arc",
+                run=f"{_GOURSAT}:equal_steps_on_sides",
+                routes=(
+                    "normals of explicit surfaces in balls",
+                    "unit speed from the torsion",
+                ),
+                mutants=(
+                    Mutant(name="twice-the-speed", given={"speed_u": "2"}),
+                    Mutant(name="one-percent-faster", given={"speed_v": "101/100"}, near=True),
+                    Mutant(name="one-percent-slower", given={"speed_u": "99/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.equal-steps-everywhere",
@@ -263,6 +555,21 @@ CLAIMS: tuple[Claim, ...] = (
             "4.goursat-solution",
             "4.equal-steps-on-sides",
         ),
+        checks=(
+            Check(
+                name="opposite-sides",
+                run=f"{_GOURSAT}:equal_steps",
+                routes=(
+                    "shipped half-turn for any edges",
+                    "rational net by the printed root",
+                ),
+                mutants=(
+                    Mutant(name="v-edges-longer", given={"odd_edge": "1/9"}),
+                    Mutant(name="one-percent", given={"odd_edge": "101/1000"}, near=True),
+                    Mutant(name="adjacent-sides", given={"opposite": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.edge-length",
@@ -274,6 +581,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.equal-steps-everywhere",
             "eq:d_lelieuvre",
+        ),
+        checks=(
+            Check(
+                name="cross-product",
+                run=f"{_GOURSAT}:edge_length",
+                routes=(
+                    "printed length",
+                    "squared steps, for any delta and on a rational surface",
+                ),
+                mutants=(
+                    Mutant(name="chord", given={"length": "chord"}),
+                    Mutant(name="one-percent", given={"factor": "99/100"}, near=True),
+                ),
+            ),
         ),
     ),
     Claim(
@@ -288,6 +609,17 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.edge-length",
             "4.equal-steps-everywhere",
+        ),
+        checks=(
+            Check(
+                name="opposite-edges",
+                run=f"{_GOURSAT}:chebyshev_nets",
+                routes=(
+                    "normals by the printed root",
+                    "points by the shipped summation",
+                ),
+                mutants=(Mutant(name="one-antipodal-root", given={"rule": "antipode"}),),
+            ),
         ),
     ),
     Claim(
@@ -308,6 +640,21 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=(
             "4.any-three-corners",
             "4.goursat-solution",
+        ),
+        checks=(
+            Check(
+                name="one-node-to-a-quad",
+                run=f"{_GOURSAT}:figure",
+                routes=(
+                    "printed formula with other corners",
+                    "order in which quads have one unknown",
+                ),
+                mutants=(
+                    Mutant(name="opposite-sides", given={"sides": "opposite"}),
+                    Mutant(name="one-node-missing", given={"missing": 1}, near=True),
+                ),
+                tier="full",
+            ),
         ),
     ),
 )
