@@ -66,13 +66,9 @@ class BallFunctions:
 
     def atan2(self, y: Any, x: Any) -> Any:
         """Argument of x + i y."""
-<<<<<<< HEAD
-        return type(_ball(y)).atan2(_ball(y), _ball(x))  # static in python-flint
-=======
         from flint import arb
 
-        return arb.atan2(_ball(y), _ball(x))
->>>>>>> wt-f
+        return arb.atan2(_ball(y), _ball(x))  # static in python-flint
 
     def __getattr__(self, name: str) -> Any:
         if name not in _OF_ONE:
