@@ -121,7 +121,7 @@ _CIRCLES: tuple[tuple[Any, Any, bool], ...] = (
 
 
 def well_defined(
-    setting: Setting, *, around: bool = False, sense: int = 0, hole: bool = False
+    setting: Setting, *, around: bool = True, sense: int = 1, hole: bool = False
 ) -> Evidence:
     """Degrees along circles in U, for the graphs of Re z^2, Re z^3, Re z^4 over the plane.
 
