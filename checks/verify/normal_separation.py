@@ -195,8 +195,9 @@ def collar_minimum(setting: Setting, *, inner: str = "delta") -> Evidence:
         )
     return combined(
         parts,
-        shown="on delta <= r <= 2 delta, which is compact, |N - N(p)| increases from its least "
-        "value at r = delta, which is positive; on the punctured ball the infimum would be 0",
+        shown="for the graphs of Re z^m, m = 2, 3, 4, |N - N(p)| rises on delta <= r <= 2 delta "
+        "from its least value at r = delta, which is positive; on the punctured ball the infimum "
+        "would be 0; by hand: on a compact set a continuous positive function has a least value",
     )
 
 
