@@ -23,7 +23,10 @@ class AsymptoticComplex:
     faces: IntArray
 
     def __post_init__(self) -> None:
-        faces = np.array(self.faces)
+        try:
+            faces = np.array(self.faces)
+        except ValueError as error:
+            raise FaceError("faces with different numbers of corners: give four each") from error
         if faces.ndim != 2 or faces.shape[1:] != (4,) or not len(faces):
             raise FaceError(f"faces have the shape {faces.shape}: give (n, 4) corners, n > 0")
         if not np.issubdtype(faces.dtype, np.integer):
@@ -37,9 +40,10 @@ class AsymptoticComplex:
     def _refuse_gaps(self) -> None:
         if self.faces.min() < 0:
             raise FaceError(f"vertex {self.faces.min()} is negative: number them from 0")
-        unused = np.flatnonzero(np.bincount(self.faces.ravel()) == 0)
-        if len(unused):
-            raise FaceError(f"vertex {unused[0]} is in no face: number the vertices without gaps")
+        used = np.unique(self.faces)
+        gaps = np.flatnonzero(used != np.arange(len(used)))
+        if len(gaps):
+            raise FaceError(f"vertex {gaps[0]} is in no face: number the vertices without gaps")
 
     def _refuse_irregular(self) -> None:
         faces = self.faces

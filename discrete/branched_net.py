@@ -12,9 +12,11 @@ from functools import cached_property
 import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
+from discrete.complex_errors import SurgeryError
 from discrete.complex_surgery import restricted
-from discrete.errors import AngleError, DiscreteError, ShapeError
+from discrete.errors import AngleError, NotFiniteError, ShapeError
 from discrete.gluing import Glued, Seam, glued, grid, rectangle
+from discrete.members import whole_number
 from discrete.sector import FloatArray, Sector, frozen_array
 from discrete.signed_graph import BoolArray, IntArray
 
@@ -31,7 +33,10 @@ class Ray:
 
     def __post_init__(self) -> None:
         for name in ("lengths", "left_turns"):
-            object.__setattr__(self, name, frozen_array(getattr(self, name)))
+            found = frozen_array(getattr(self, name))
+            if not np.isfinite(found).all():
+                raise NotFiniteError(f"{name} of a ray: {found.tolist()}, not all finite")
+            object.__setattr__(self, name, found)
         if len(self.left_turns) != max(len(self.lengths) - 1, 0):
             raise ShapeError(f"a ray of {len(self.lengths)} edges has one left turn fewer")
 
@@ -149,7 +154,11 @@ def _fan(
 
 
 def _require_sum(angles: Sequence[float], total: float, where: str) -> None:
-    if not all(np.isfinite(angles)) or min(angles) <= 0:
+    try:
+        finite = bool(np.isfinite(np.array(angles, dtype=np.float64)).all())
+    except (TypeError, ValueError) as error:
+        raise AngleError(f"{where}: the angles {angles!r} are no numbers") from error
+    if not finite or min(angles) <= 0:
         raise AngleError(f"{where}: the angles {list(angles)} must be positive")
     if abs(sum(angles) - total) > ANGLE_SUM * len(angles):
         raise AngleError(f"{where}: the angles add up to {sum(angles)}, expected {total}")
@@ -199,7 +208,12 @@ def star(rays: Sequence[Ray], angles: Sequence[float]) -> BranchedNet:
 
 
 def regular_star(order: int, *, edge_length: float, edges: int) -> BranchedNet:
-    """Star of 2m equal Amsler sectors, m the order of saddleness at its centre."""
+    """Star of 2m equal Amsler sectors, m the order of saddleness at its centre, m >= 2.
+
+    Raises ShapeError, EdgeLengthError.
+    """
+    if whole_number(order, "the order of saddleness") < 2 or whole_number(edges, "edges") < 1:
+        raise ShapeError(f"order {order} with {edges} edges a ray: take 2 or more, with 1 or more")
     ray = geodesic_ray(np.full(edges, edge_length))
     return star([ray] * (2 * order), [np.pi / order] * (2 * order))
 
@@ -258,12 +272,14 @@ def surgery(
 
 def _parent(net: BranchedNet, number: int, apex: tuple[int, int]) -> Placed:
     """Sector to be cut; refuses one that is cut already, and a vertex that is not inside."""
-    if not 0 <= number < len(net.placed):
-        raise DiscreteError(f"the net has no sector {number}")
+    if not 0 <= whole_number(number, "the sector") < len(net.placed):
+        raise SurgeryError(f"the net has no sector {number}")
     place = net.placed[number]
     n, m = place.sector.shape
+    for index in apex:
+        whole_number(index, "an index of the apex")
     if place.cut is not None:
-        raise DiscreteError(f"sector {number} is cut at {place.cut} already: cut its daughters")
+        raise SurgeryError(f"sector {number} is cut at {place.cut} already: cut its daughters")
     if not (0 < apex[0] < n and 0 < apex[1] < m):
-        raise DiscreteError(f"vertex {apex} is not inside sector {number} of {n} by {m} quads")
+        raise SurgeryError(f"vertex {apex} is not inside sector {number} of {n} by {m} quads")
     return place

@@ -26,7 +26,7 @@ import numpy as np
 
 from discrete.complex_errors import AngleSumError
 from discrete.hamburger import HamburgerPolygon
-from discrete.index import Angles, angle_sums
+from discrete.index import Angles, angle_sums, require_straight_angle
 from discrete.signed_graph import IntArray
 
 
@@ -63,6 +63,21 @@ def open_vertex(
     return None
 
 
+def _inside(polygon: HamburgerPolygon, angles: Angles) -> Angles:
+    """The angles, 0 on faces that are not enclosed, whose angles do not count."""
+    if angles.shape != polygon.complex.faces.shape or not _adds(angles.dtype):
+        raise AngleSumError(
+            f"angles of type {angles.dtype} and shape {angles.shape}: give numbers of the shape "
+            f"{polygon.complex.faces.shape}"
+        )
+    found: Angles = np.where(polygon.inside[:, np.newaxis], angles, 0)
+    return found
+
+
+def _adds(dtype: Any) -> bool:
+    return bool(np.issubdtype(dtype, np.object_) or np.issubdtype(dtype, np.number))
+
+
 def charges(
     polygon: HamburgerPolygon, angles: Angles, *, straight_angle: Any, tolerance: float = 0.0
 ) -> Charges:
@@ -70,9 +85,11 @@ def charges(
 
     angles: array (faces, 4) of float64 or of objects (Fraction, arb, sympy.Expr); straight_angle:
     pi in their unit and type; tolerance: allowed deviation of the sums inside from 2 pi. Raises
-    AngleSumError naming a vertex whose angles do not add up.
+    AngleSumError naming a vertex whose angles do not add up; of balls it takes what may add up.
     """
-    sums = angle_sums(polygon.complex, np.where(polygon.inside[:, np.newaxis], angles, 0))
+    require_straight_angle(straight_angle, tolerance)
+    angles = np.asarray(angles)
+    sums = angle_sums(polygon.complex, _inside(polygon, angles))
     vertex = open_vertex(polygon, sums, straight_angle=straight_angle, tolerance=tolerance)
     if vertex is not None:
         raise AngleSumError(

@@ -1,6 +1,6 @@
 """Errors of asymptotic complexes: what in a gluing, a polygon or its angles cannot be."""
 
-from discrete.errors import DiscreteError
+from discrete.errors import AngleError, DiscreteError
 
 
 class ComplexError(DiscreteError):
@@ -8,7 +8,11 @@ class ComplexError(DiscreteError):
 
 
 class FaceError(ComplexError):
-    """A face is no quadrilateral: it repeats a vertex, or its indices are out of range."""
+    """A face is no quadrilateral, or data are not one to a face."""
+
+
+class MemberError(ComplexError):
+    """What is named as a vertex, a face or a number of edges is none."""
 
 
 class SurfaceError(ComplexError):
@@ -35,7 +39,7 @@ class PolygonError(DiscreteError):
     """A closed path of edges is no Hamburger polygon of the complex."""
 
 
-class AngleSumError(DiscreteError):
+class AngleSumError(AngleError):
     """The angles around an interior vertex do not add up to a full turn."""
 
 

@@ -7,11 +7,17 @@ import numpy as np
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.complex_errors import SurgeryError
 from discrete.gluing import Seam, fan, glued
+from discrete.members import require_face, require_faces, require_vertex
 from discrete.signed_graph import BoolArray, IntArray
 
 
 def restricted(complex_: AsymptoticComplex, keep: BoolArray) -> tuple[AsymptoticComplex, IntArray]:
-    """Complex of the faces that are kept, and the new number of each vertex (-1 if it is lost)."""
+    """Complex of the faces that are kept, and the new number of each vertex (-1 if it is lost).
+
+    keep: whether each face is kept. Raises FaceError for another array, and the errors of
+    AsymptoticComplex where what is left is none.
+    """
+    keep = require_faces(complex_, keep)
     used = np.flatnonzero(np.bincount(complex_.faces[keep].ravel()))
     place = np.full(complex_.vertex_count, -1, dtype=np.int64)
     place[used] = np.arange(len(used))
@@ -21,9 +27,9 @@ def restricted(complex_: AsymptoticComplex, keep: BoolArray) -> tuple[Asymptotic
 def boundary_segment(complex_: AsymptoticComplex, corner: int, *, along_u: bool) -> IntArray:
     """Vertices of the maximal boundary segment of one family that starts at a corner vertex.
 
-    Raises SurgeryError if the vertex is no corner.
+    Raises SurgeryError if the vertex is no corner, MemberError if it is no vertex.
     """
-    if not complex_.is_corner[corner]:
+    if not complex_.is_corner[require_vertex(complex_, corner)]:
         raise SurgeryError(f"vertex {corner} is no corner: its boundary edges are of one family")
     outer = complex_.sides.counts == 1
     edges = complex_.edges[outer & (complex_.edge_is_u == along_u)]
@@ -108,7 +114,7 @@ def quadrant(complex_: AsymptoticComplex, vertex: int, face: int) -> IntArray:
     The rays are the u- and the v-line from the vertex along that face, up to the boundary; rows of
     the array run along u. Raises SurgeryError if the faces between them are no grid.
     """
-    corners = np.flatnonzero(complex_.faces[face] == vertex)
+    corners = np.flatnonzero(complex_.faces[require_face(complex_, face)] == vertex)
     if not len(corners):
         raise SurgeryError(f"face {face} does not meet vertex {vertex}")
     rows = _rows(complex_, face, int(corners[0]))
@@ -129,7 +135,7 @@ def surgery(
     SurgeryError for a vertex on the boundary or a quadrant that is no grid, and the errors of
     AsymptoticComplex where what is left is none.
     """
-    if complex_.is_boundary[vertex]:
+    if complex_.is_boundary[require_vertex(complex_, vertex)]:
         raise SurgeryError(f"vertex {vertex} is on the boundary: attach sectors there instead")
     keep = np.ones(len(complex_.faces), dtype=np.bool_)
     keep[quadrant(complex_, vertex, face)] = False

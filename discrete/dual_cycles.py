@@ -5,6 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
+from discrete.complex_errors import MemberError
+from discrete.members import require_face
 
 Cycle = tuple[int, ...]
 
@@ -69,9 +71,15 @@ def simple_cycles(complex_: AsymptoticComplex, *, longest: int) -> Iterator[Cycl
 
 
 def crossings(complex_: AsymptoticComplex, cycle: Cycle) -> tuple[int, int]:
-    """Numbers of u-edges and of v-edges that a cycle of faces crosses."""
+    """Numbers of u-edges and of v-edges that a cycle of faces crosses.
+
+    Raises MemberError where two faces in turn have no common edge.
+    """
     crossed = 0
     for face, other in zip(cycle, cycle[1:] + cycle[:1], strict=True):
-        side = int(np.flatnonzero(complex_.neighbour[face] // 4 == other)[0])
-        crossed += side % 2 == 0
+        across = complex_.neighbour[require_face(complex_, face)] // 4
+        common = np.flatnonzero(across == require_face(complex_, other))
+        if not len(common):
+            raise MemberError(f"faces {face} and {other} have no common edge: this is no cycle")
+        crossed += int(common[0]) % 2 == 0
     return crossed, len(cycle) - crossed

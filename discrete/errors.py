@@ -22,7 +22,7 @@ class EdgeLengthError(DiscreteError):
 
 
 class AngleError(DiscreteError):
-    """An angle lies outside its range, or angles have the wrong sum."""
+    """An angle lies outside its range, or angles at a corner have the wrong sum."""
 
 
 class ShapeError(DiscreteError):

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-
-import numpy as np
+from math import isfinite
 
 from discrete.asymptotic_complex import AsymptoticComplex
-from discrete.complex_errors import GluingError
+from discrete.complex_errors import GluingError, MemberError
+from discrete.members import require_face
 
 Point = tuple[Fraction, Fraction]
 
@@ -26,9 +26,12 @@ class FaceCoordinates:
     def __post_init__(self) -> None:
         if len(self.sizes) != len(self.complex.faces):
             raise GluingError(f"{len(self.sizes)} sizes for {len(self.complex.faces)} faces")
-        for face, (u, v) in enumerate(self.sizes):
-            if not (u > 0 and v > 0):
-                raise GluingError(f"face {face} has the sides {u} and {v}: both must be positive")
+        for face, size in enumerate(self.sizes):
+            if len(size) != 2:
+                raise GluingError(f"face {face} has {len(size)} sides: give u_k and v_k")
+            u, v = size
+            if not (u > 0 and v > 0 and isfinite(u) and isfinite(v)):
+                raise GluingError(f"face {face} has the sides {u} and {v}: give positive numbers")
         for one, other in self.complex.sides.matched.tolist():
             first, second = (self.sizes[s // 4][s % 2] for s in (one, other))
             if first != second:
@@ -39,7 +42,9 @@ class FaceCoordinates:
 
     def corner(self, face: int, corner: int) -> Point:
         """Coordinates of a corner of a face."""
-        u, v = self.sizes[face]
+        u, v = self.sizes[require_face(self.complex, face)]
+        if corner not in range(4):
+            raise MemberError(f"a face has no corner {corner}: they are 0 to 3")
         zero = Fraction(0)
         return ((zero, zero), (u, zero), (u, v), (zero, v))[corner]
 
@@ -48,7 +53,10 @@ class FaceCoordinates:
 
         ends: the vertices from which and to which the proportion counts.
         """
-        places = [int(np.flatnonzero(self.complex.faces[face] == end)[0]) for end in ends]
+        corners = self.complex.faces[require_face(self.complex, face)].tolist()
+        if absent := [end for end in ends if end not in corners]:
+            raise MemberError(f"vertex {absent[0]} is no corner of face {face}: {corners}")
+        places = [corners.index(end) for end in ends]
         start, end = (self.corner(face, place) for place in places)
         return (
             start[0] + part * (end[0] - start[0]),

@@ -3,6 +3,7 @@
 import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
+from discrete.members import require_face
 from discrete.signed_graph import BoolArray
 
 
@@ -22,7 +23,7 @@ def grown_disk(
     """
     inside = np.zeros(len(complex_.faces), dtype=np.bool_)
     on = np.zeros(complex_.vertex_count, dtype=np.bool_)
-    rim = {start}
+    rim = {require_face(complex_, start)}
     for _ in range(size):
         order = [int(f) for f in rng.permutation(sorted(rim))]
         fitting = (f for f in order if not inside.any() or _keeps_a_disk(complex_, inside, on, f))

@@ -9,6 +9,7 @@ import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.complex_errors import GluingError
+from discrete.members import integers, whole_number
 from discrete.signed_graph import IntArray, components
 
 Path = Sequence[int] | IntArray
@@ -39,7 +40,7 @@ class Glued:
 
 def _boundary_families(piece: AsymptoticComplex, path: IntArray, where: str) -> list[bool]:
     """Whether each edge of a path is a u-edge; refuses a path that is not in the boundary."""
-    if len(path) < 2 or path.min() < 0 or path.max() >= piece.vertex_count:
+    if path.ndim != 1 or len(path) < 2 or path.min() < 0 or path.max() >= piece.vertex_count:
         raise GluingError(f"{where}: the path {path.tolist()} needs two vertices of the piece")
     edges = piece.edge_between(path[:-1], path[1:])
     for at, edge in enumerate(edges):
@@ -53,10 +54,11 @@ def _boundary_families(piece: AsymptoticComplex, path: IntArray, where: str) -> 
 
 def _refuse_mismatch(pieces: Sequence[AsymptoticComplex], number: int, seam: Seam) -> None:
     names = f"seam {number}, piece {seam.first}", f"seam {number}, piece {seam.second}"
-    if not (0 <= seam.first < len(pieces) and 0 <= seam.second < len(pieces)):
-        raise GluingError(f"seam {number}: there is no piece {max(seam.first, seam.second)}")
-    one = _boundary_families(pieces[seam.first], np.asarray(seam.path), names[0])
-    other = _boundary_families(pieces[seam.second], np.asarray(seam.onto), names[1])
+    for piece in (seam.first, seam.second):
+        if not 0 <= whole_number(piece, f"the piece of seam {number}") < len(pieces):
+            raise GluingError(f"seam {number}: there is no piece {piece}")
+    one = _boundary_families(pieces[seam.first], integers(seam.path, names[0]), names[0])
+    other = _boundary_families(pieces[seam.second], integers(seam.onto, names[1]), names[1])
     if len(one) != len(other):
         raise GluingError(f"seam {number}: {len(one)} edges cannot be glued to {len(other)}")
     for at, (is_u, onto_u) in enumerate(zip(one, other, strict=True)):
@@ -86,6 +88,8 @@ def glued(pieces: Sequence[AsymptoticComplex], seams: Sequence[Seam]) -> Glued:
     Raises GluingError for seams that do not fit, and the errors of AsymptoticComplex where what
     comes out is none.
     """
+    if not pieces:
+        raise GluingError("no pieces are given: nothing to glue")
     for number, seam in enumerate(seams):
         _refuse_mismatch(pieces, number, seam)
     _refuse_reuse(seams)
@@ -105,6 +109,7 @@ def glued(pieces: Sequence[AsymptoticComplex], seams: Sequence[Seam]) -> Glued:
 
 def grid(n_u: int, n_v: int) -> IntArray:
     """Vertices of a grid of n_u by n_v rectangles, by their places: (n_u + 1, n_v + 1)."""
+    n_u, n_v = whole_number(n_u, "the number of u-edges"), whole_number(n_v, "that of v-edges")
     if n_u < 1 or n_v < 1:
         raise GluingError(
             f"a grid of {n_u} by {n_v} rectangles is empty: take one or more each way"
@@ -120,7 +125,10 @@ def rectangle(n_u: int, n_v: int) -> AsymptoticComplex:
 
 
 def side(n_u: int, n_v: int, name: SideName) -> IntArray:
-    """Vertices of a side of the grid, as u or v grows; v = 0 and v = n are u-sides."""
+    """Vertices of a side of the grid, as u or v grows; v = 0 and v = n are u-sides.
+
+    Raises GluingError for a name of no side.
+    """
     v = grid(n_u, n_v)
     named: dict[SideName, IntArray] = {
         "v = 0": v[:, 0],
@@ -128,6 +136,8 @@ def side(n_u: int, n_v: int, name: SideName) -> IntArray:
         "u = 0": v[0],
         "u = n": v[-1],
     }
+    if name not in named:
+        raise GluingError(f"a grid has no side {name!r}: its sides are {', '.join(named)}")
     return named[name]
 
 
@@ -136,7 +146,10 @@ def fan(lengths: Sequence[int]) -> tuple[list[AsymptoticComplex], list[Seam], li
 
     Ray i is a u-ray for even i; sector i lies between the rays i and i + 1. The rays returned are
     paths from the point: the first as a path of the first sector, then ray i of sector i - 1.
+    Raises GluingError for less than two rays or a ray without edges.
     """
+    if len(lengths) < 2:
+        raise GluingError(f"{len(lengths)} rays bound no sector: give two or more")
     sectors, rays, starts = [], [], []
     for i, (length, following) in enumerate(pairwise(lengths)):
         n = (length, following) if i % 2 == 0 else (following, length)

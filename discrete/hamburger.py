@@ -6,7 +6,8 @@ from functools import cached_property
 import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
-from discrete.complex_errors import PolygonError
+from discrete.complex_errors import MemberError, PolygonError
+from discrete.members import integers, require_faces
 from discrete.signed_graph import BoolArray, IntArray, components
 
 
@@ -23,10 +24,12 @@ class HamburgerPolygon:
     path: IntArray
 
     def __post_init__(self) -> None:
-        path = np.array(self.path)
-        if path.ndim != 1 or len(path) < 4 or not np.issubdtype(path.dtype, np.integer):
+        try:
+            path = integers(self.path, "the vertices of the path")
+        except MemberError as error:
+            raise PolygonError(str(error)) from error
+        if path.ndim != 1 or len(path) < 4:
             raise PolygonError(f"a path of the shape {path.shape}: give four vertices or more")
-        path = path.astype(np.int64)
         path.setflags(write=False)
         object.__setattr__(self, "path", path)
         if not self.complex.is_disk:
@@ -129,8 +132,10 @@ class HamburgerPolygon:
 def polygon_around(complex_: AsymptoticComplex, inside: BoolArray) -> HamburgerPolygon:
     """Hamburger polygon that bounds the union of the chosen faces.
 
-    Raises PolygonError if their boundary is not one simple closed path, or no such polygon.
+    inside: whether each face is chosen. Raises FaceError for another array, PolygonError if their
+    boundary is not one simple closed path, or no such polygon.
     """
+    inside = require_faces(complex_, inside)
     edge_of = complex_.sides.edge_of[inside].ravel()
     counts = np.bincount(edge_of, minlength=len(complex_.edges))
     following: dict[int, list[int]] = {}

@@ -12,6 +12,8 @@ from discrete.signed_graph import IntArray
 
 FloatArray = npt.NDArray[np.float64]
 Angles = npt.NDArray[Any]
+#: Deviation of the length of a normal from 1 that rounding explains.
+UNIT = 1e-8
 
 
 def interior_vertices(complex_: AsymptoticComplex) -> IntArray:
@@ -45,11 +47,10 @@ def normal_winding(
     each neighbour to the next is below half a turn. Raises NormalError where a step or a direction
     is undecided to within the tolerance.
     """
-    signs = complex_.orientation if orientation is None else orientation
-    if signs is None:
-        raise NormalError("the complex is one-sided: no winding has a sign on it")
-    if normals.shape != (complex_.vertex_count, 3) or not np.isfinite(normals).all():
-        raise NormalError(f"normals of the shape {normals.shape}: give finite (vertices, 3)")
+    signs = _face_signs(complex_, orientation)
+    normals = _unit_normals(complex_, normals)
+    if not tolerance >= 0:
+        raise NormalError(f"a tolerance of {tolerance}: give a number that is not negative")
     at, following = complex_.faces, np.roll(complex_.faces, -1, axis=1)
     before = np.roll(complex_.faces, 1, axis=1)
     flip = (signs < 0)[:, np.newaxis]
@@ -60,6 +61,32 @@ def normal_winding(
     _refuse_undecided(at, one, other, normals, sine, cosine, tolerance)
     turns = np.bincount(at, weights=np.arctan2(sine, cosine), minlength=complex_.vertex_count)
     return np.rint(turns[interior_vertices(complex_)] / (2 * np.pi)).astype(np.int64)
+
+
+def _face_signs(complex_: AsymptoticComplex, orientation: IntArray | None) -> IntArray:
+    """Signs of the faces: those given, or those of the complex."""
+    signs = complex_.orientation if orientation is None else np.asarray(orientation)
+    if signs is None:
+        raise NormalError("the complex is one-sided: no winding has a sign on it")
+    if signs.shape != (len(complex_.faces),) or not np.isin(signs, (1, -1)).all():
+        raise NormalError(f"an orientation of the shape {signs.shape}: give +1 or -1 for each face")
+    return signs
+
+
+def _unit_normals(complex_: AsymptoticComplex, normals: FloatArray) -> FloatArray:
+    """Array of the normals; refuses what is no unit vector to each vertex."""
+    found = np.asarray(normals)
+    if not np.issubdtype(found.dtype, np.floating) or found.shape != (complex_.vertex_count, 3):
+        raise NormalError(
+            f"normals of type {found.dtype} and shape {found.shape}: give finite (vertices, 3)"
+        )
+    # Also where a length is NaN.
+    wrong = np.flatnonzero(~(np.abs(np.linalg.norm(found, axis=1) - 1) <= UNIT))
+    if len(wrong):
+        vertex = int(wrong[0])
+        raise NormalError(f"the normal {found[vertex].tolist()} at vertex {vertex} is no unit "
+                          "vector: give finite normals of length 1")  # fmt: skip
+    return found
 
 
 def _refuse_undecided(
@@ -81,8 +108,11 @@ def _refuse_undecided(
         raise NormalError(f"from vertex {q} to {r} the normal makes half a turn around {p}")
 
 
-def _finite(number: Any) -> bool:
-    if isinstance(number, float):
+def is_finite(number: Any) -> bool:
+    """Whether it is a number (of any type) that is not known to be infinite or NaN."""
+    if number is None or isinstance(number, str | bytes):
+        return False
+    if isinstance(number, float | np.floating):
         return isfinite(number)
     # A method of balls, a property (perhaps None, for unknown) of symbols.
     found = getattr(number, "is_finite", True)
@@ -93,12 +123,13 @@ def angle_sums(complex_: AsymptoticComplex, angles: Angles) -> Angles:
     """Sum of the corner angles at each vertex.
 
     angles: array (faces, 4), angle k of a face at its corner k; of float64, or of objects that add
-    (Fraction, arb, sympy.Expr). Raises AngleSumError for another shape or a NaN.
+    (Fraction, arb, sympy.Expr). Raises AngleSumError for another shape, a NaN or no number.
     """
+    angles = np.asarray(angles)
     if angles.shape != complex_.faces.shape:
         raise AngleSumError(f"angles of the shape {angles.shape}: give {complex_.faces.shape}")
     fast = angles.dtype == np.float64
-    finite = np.isfinite(angles) if fast else np.frompyfunc(_finite, 1, 1)(angles).astype(np.bool_)
+    finite = np.isfinite(angles) if fast else np.frompyfunc(is_finite, 1, 1)(angles).astype(bool)
     bad = np.flatnonzero(~finite)
     if len(bad):
         vertex = complex_.faces.ravel()[bad[0]]
@@ -106,6 +137,17 @@ def angle_sums(complex_: AsymptoticComplex, angles: Angles) -> Angles:
     sums = np.zeros(complex_.vertex_count, dtype=angles.dtype)
     np.add.at(sums, complex_.faces, angles)
     return sums
+
+
+def require_straight_angle(straight_angle: Any, tolerance: Any) -> None:
+    """Refuse what is no angle to measure by: NaN, text, a tolerance that is negative or infinite.
+
+    Raises AngleSumError.
+    """
+    if not is_finite(straight_angle):
+        raise AngleSumError(f"the straight angle is {straight_angle!r}: give pi in its unit")
+    if not is_finite(tolerance) or tolerance < 0:
+        raise AngleSumError(f"a tolerance of {tolerance!r}: give a number that is not negative")
 
 
 def _below(one: Any, other: Any, vertex: int) -> bool:
@@ -128,6 +170,7 @@ def ramified_vertex(
     ball is too wide.
     """
     sums = angle_sums(complex_, angles)
+    require_straight_angle(straight_angle, tolerance)
     for vertex in range(complex_.vertex_count):
         degree, total = int(complex_.degree[vertex]), sums[vertex]
         if not complex_.is_boundary[vertex]:

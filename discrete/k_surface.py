@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.branched_net import BranchedNet, Placed
+from discrete.errors import NotFiniteError
 from discrete.lelieuvre import lelieuvre_surface
 from discrete.sector import Sector
 from discrete.space_frame import STANDARD, SpaceFrame, turned
@@ -42,6 +43,7 @@ def k_surface(
     """Surface of a net, by one of the routes lelieuvre_surface, star_surface, sym_surface.
 
     frame: point and normal at the apex of sector 0, and the direction from which bearings count.
+    Raises NotFiniteError naming a vertex where a route has lost all digits.
     """
     count = net.complex.vertex_count
     points, normals = np.full((count, 3), np.nan), np.full((count, 3), np.nan)
@@ -55,7 +57,14 @@ def k_surface(
         gap = np.linalg.norm(points[at] - r, axis=1)
         mismatch = max(mismatch, float(np.nanmax(gap, initial=0.0)))
         points[at], normals[at] = r, n
+    _refuse_nan(points, normals)
     return KSurface(complex=net.complex, points=points, normals=normals, mismatch=mismatch)
+
+
+def _refuse_nan(points: FloatArray, normals: FloatArray) -> None:
+    wrong = np.flatnonzero(~np.isfinite(points + normals).all(axis=1))
+    if len(wrong):
+        raise NotFiniteError(f"vertex {wrong[0]} has no finite point and normal: shorten the edges")
 
 
 def _apex_frame(

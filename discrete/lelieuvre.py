@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from discrete import geodesics
 from discrete.edge_lengths import spherical_length
+from discrete.errors import NotFiniteError, ShapeError
 from discrete.goursat_kernel import fill_nodes
 from discrete.sector import Sector
 from discrete.space_forms import S2, Triple
@@ -66,8 +67,21 @@ def sector_normals(sector: Sector, frame: SpaceFrame) -> FloatArray:
     return nodes
 
 
+def _require_normals(normals: FloatArray) -> None:
+    """Refuse what is no array (3, n + 1, m + 1) of finite numbers with a quad at least."""
+    if normals.ndim != 3 or len(normals) != 3 or min(normals.shape[1:]) < 2:
+        raise ShapeError(f"normals of the shape {normals.shape}: give (3, n + 1, m + 1), n, m > 0")
+    wrong = np.argwhere(~np.isfinite(normals).all(axis=0))
+    if len(wrong):
+        raise NotFiniteError(f"the normal at vertex ({wrong[0, 0]}, {wrong[0, 1]}) is not finite")
+
+
 def positions(normals: FloatArray, point: FloatArray) -> FloatArray:
-    """Positions (3, n + 1, m + 1) of a net with these normals; `point` is that of vertex (0, 0)."""
+    """Positions (3, n + 1, m + 1) of a net with these normals; `point` is that of vertex (0, 0).
+
+    Raises ShapeError, NotFiniteError naming the vertex.
+    """
+    _require_normals(normals)
     found = np.empty_like(normals)
     found[:, 0, 0] = point
     first = normals[:, :, 0]
@@ -79,7 +93,11 @@ def positions(normals: FloatArray, point: FloatArray) -> FloatArray:
 
 
 def closure(normals: FloatArray) -> float:
-    """Largest gap between both ways around a quad to its far vertex."""
+    """Largest gap between both ways around a quad to its far vertex.
+
+    Raises ShapeError, NotFiniteError naming the vertex.
+    """
+    _require_normals(normals)
     n, n1, n2, n12 = (
         normals[:, :-1, :-1],
         normals[:, 1:, :-1],

@@ -7,14 +7,20 @@ import numpy as np
 import numpy.typing as npt
 
 from discrete.angle_advance import NetAngles, checked_net_angles
+from discrete.errors import AngleError, ShapeError
 from discrete.space_forms import H2
 
 FloatArray = npt.NDArray[np.float64]
 
 
 def frozen_array(values: object) -> FloatArray:
-    """Read-only array of float64 with one index."""
-    found = np.array(values, dtype=np.float64).reshape(-1)
+    """Read-only array of float64 with one index. Raises ShapeError for other data."""
+    try:
+        found = np.array(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ShapeError(f"{values!r} is no sequence of real numbers") from error
+    if found.ndim != 1:
+        raise ShapeError(f"an array of the shape {found.shape}: give a sequence of numbers")
     found.setflags(write=False)
     return found
 
@@ -37,6 +43,10 @@ class Sector:
     def __post_init__(self) -> None:
         for name in ("u_lengths", "v_lengths", "u_turns", "v_turns"):
             object.__setattr__(self, name, frozen_array(getattr(self, name)))
+        try:
+            object.__setattr__(self, "corner_angle", float(self.corner_angle))
+        except (TypeError, ValueError) as error:
+            raise AngleError(f"the corner angle {self.corner_angle!r} is no number") from error
         _ = self.net
 
     @property
@@ -51,7 +61,7 @@ class Sector:
             H2,
             self.u_lengths.tolist(),
             self.v_lengths.tolist(),
-            float(self.corner_angle),
+            self.corner_angle,
             u_turns=self.u_turns.tolist(),
             v_turns=self.v_turns.tolist(),
         )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from discrete.asymptotic_complex import AsymptoticComplex
+from discrete.members import require_vertex
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,8 +28,11 @@ def _other_side(complex_: AsymptoticComplex, face: int, vertex: int, side: int) 
 
 
 def vertex_fan(complex_: AsymptoticComplex, vertex: int) -> Fan:
-    """Faces and edges around a vertex, in order; from one boundary edge to the other if it has."""
-    at, corner = np.nonzero(complex_.faces == vertex)
+    """Faces and edges around a vertex, in order; from one boundary edge to the other if it has.
+
+    Raises MemberError for a number that is no vertex.
+    """
+    at, corner = np.nonzero(complex_.faces == require_vertex(complex_, vertex))
     ends = [
         (int(face), int(side) % 4)
         for face, c in zip(at, corner, strict=True)

@@ -227,6 +227,9 @@ def test_angles_that_do_not_add_up_are_refused():
     angles[0, 0] += Fraction(1, 10**9)
     with pytest.raises(AngleSumError, match="at vertex 0"):
         charges(whole, angles, straight_angle=Fraction(1))
+    angles[0, 0] -= Fraction(2, 10**9)
+    with pytest.raises(AngleSumError, match="at vertex 0"):
+        charges(whole, angles, straight_angle=Fraction(1))
     floats = float_angles(whole.complex, np.random.default_rng(0))
     floats[3, 2] = np.nan
     vertex = whole.complex.faces[3, 2]

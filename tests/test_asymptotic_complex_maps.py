@@ -99,6 +99,16 @@ def test_an_isomorphism_is_found_whatever_the_numbers(name):
     assert (other.edge_between(*images[complex_.edges].T) >= 0).all()
 
 
+def test_a_mirror_image_is_isomorphic():
+    # Rays that read differently backwards, so that no turn of a face will do.
+    complex_ = star([1, 2, 1, 2, 1, 1, 3, 1])
+    for swap in ([1, 0, 3, 2], [3, 2, 1, 0]):
+        mirrored = AsymptoticComplex(faces=complex_.faces[:, swap])
+        images = isomorphism(complex_, mirrored)
+        assert images is not None
+        assert (mirrored.degree[images] == complex_.degree).all()
+
+
 def test_complexes_that_the_oracle_tells_apart_have_no_isomorphism():
     smooth = star([2] * 4)
     operated, _ = surgery(smooth, 0, face_at(smooth, 0), [2, 2])

@@ -274,3 +274,13 @@ def test_a_sector_is_cut_once_and_its_angles_are_those_cut_out():
 def test_a_singular_net_has_no_energy_and_says_where():
     with pytest.raises(AngleError, match="face"):
         energies(regular_star(2, edge_length=0.2, edges=20))
+
+
+def test_the_rays_of_surgery_have_the_lengths_of_the_lines_cut():
+    net = surgery(star([geodesic_ray([0.1] * 4), geodesic_ray([0.2] * 5)] * 2, [np.pi / 2] * 4),
+                  0, (1, 2))  # fmt: skip
+    shapes = [placed.sector.shape for placed in net.placed[4:]]
+    # The lines cut have 3 u- and 3 v-edges; the first new ray belongs to v, the second to u.
+    assert shapes == [(3, 3)] * 3
+    assert all(np.all(p.sector.u_lengths == 0.1) for p in net.placed[4:])
+    assert all(np.all(p.sector.v_lengths == 0.2) for p in net.placed[4:])

@@ -91,26 +91,19 @@ _INDEX = (
         statement=r"$J_p$ does not depend on the simple closed curve $\gamma$ in $U$, nor on $V$.",
         hypotheses=(
             r"$\gamma$ a simple closed curve in $U$, $N(U) \subseteq S^2 \setminus \{\pm N(p)\}$",
+            (
+                r"(not said in the definition, but of all curves that the paper takes: line 670, a "
+                r"counterclockwise circuit around $p$; lines 677 and 701, small circles) $\gamma$ "
+                r"bounds a disk in $V$ that contains $p$ and goes around it counterclockwise. Read "
+                r"without, the circle of centre $(3/2, 0)$ and radius 1 has the degree 0 for $w = "
+                r"(x_1^2 - x_2^2)/2$, $p = 0$"
+            ),
         ),
         rests_on=("def:Jp",),
         checks=(
             Check(
-                name="any simple closed curve",
+                name="circles about p",
                 run="checks.verify.normal_index:well_defined",
-                routes=(
-                    "zeros of the gradient inside circles of several centres",
-                    "the degree of a small circle",
-                ),
-                mutants=(
-                    Mutant(name="only one sense", given={"sense": 1}),
-                    Mutant(name="only curves around p", given={"around": True}),
-                ),
-            ),
-            Check(
-                name="counter-clockwise, around p",
-                run="checks.verify.normal_index:well_defined",
-                form="corrected",
-                given={"around": True, "sense": 1},
                 routes=(
                     "zeros of the gradient inside circles of several centres",
                     "the degree of a small circle",
@@ -121,19 +114,6 @@ _INDEX = (
                     Mutant(name="V with a hole", given={"hole": True}, near=True),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed=r"$J_p$ is the degree of $\pi \circ N \circ \gamma$, where $\gamma$ is a "
-            r"simple closed curve in $U = V \setminus \{p\}$.",
-            corrected=r"... where $\gamma$ bounds a disk in $V$ that contains $p$ and goes around "
-            r"it counter-clockwise.",
-            kind="ambiguous",
-            witness=r"$w = (x_1^2 - x_2^2)/2$ over the plane, $p = 0$: $\nabla w = (x_1, "
-            r"-x_2)$. The circle of centre $(3/2, 0)$ and radius 1, a simple closed curve in "
-            r"$U$, gives the degree 0; the unit circle gives $-1$, and run through clockwise $+1$.",
-            conclusion_survives=True,
-            remark="The degree counts what the curve encloses; all uses in the paper take small "
-            "circles about p, counter-clockwise.",
         ),
     ),
     Claim(

@@ -1,6 +1,6 @@
 """Claims of section 3.3, branch points cannot be smoothed away: the theorem and its lemma."""
 
-from checks.claim import Check, Claim, Mutant
+from checks.claim import Check, Citation, Claim, Mutant
 
 _BRANCHED = (
     (
@@ -21,9 +21,12 @@ _SEQUENCE = (
 )
 _NOT_NEEDED = (
     (
-        r"(stated, not needed) the bound $k_{\max}$: on almost every circle around $p$ a "
-        r"subsequence of $N_n$ converges uniformly, and a local homeomorphism of a disk has the "
-        r"degree 0 or $\pm 1$ on a circle whose image stays in a disk that $N_n(\partial B)$ avoids"
+        r"(stated, not needed; by hand) the bound $k_{\max}$: on almost every circle around $p$ a "
+        r"subsequence of $N_n$ converges uniformly. Let $N(\partial B)$ avoid a disk $D$ around "
+        r"$N(p)$, and let the smaller circle $\partial B'$ go into $D$ under $N$. Over $D$ the "
+        r"local homeomorphism $N_n$ of $B$ is proper, so a covering, whose sheets are disks; "
+        r"$\partial B'$ and so $B'$ lies in one of them, $N_n$ is one-to-one on $B'$, and the "
+        r"degree on $\partial B'$ is 0 or $\pm 1$, while it is $1 - m_p \le -2$ at a branch point"
     ),
 )
 _BALL = (r"$B_{3\epsilon}(p) \subseteq \Omega$, $0 < \epsilon < \min(\eta(k_{\max}), \delta(p))$",)
@@ -39,10 +42,19 @@ _INJECTIVE = (
         labels=("lem:injective",),
         hypotheses=(*_BRANCHED, r"(used, not stated) $B_{3\delta}(p) \subset \Omega$"),
         rests_on=("3.3.punctured-ball", "3.3.collar-distance"),
+        citation=Citation(
+            source="the proof of the lemma; with constants, the bound that theory.normal_bounds "
+            "derives by hand",
+            reason="a statement about all branched immersions, proved by analysis: the speeds of N "
+            "and the positivity of the bound are decided by computer, the step from them to "
+            "|N - N(p)|, by integrals of unit vectors in a cone, is not",
+            search="search for a returning normal",
+        ),
         checks=(
             Check(
                 name="bound of |N - N(p)|",
                 run="checks.verify.normal_separation:separation",
+                form="support",
                 routes=(
                     "Gauss-Weingarten equations and a cone of directions",
                     "positivity of t s - t^2/2 - t^3/8",
@@ -80,6 +92,7 @@ _INJECTIVE = (
             Check(
                 name="no return near p",
                 run="checks.verify.normal_separation:punctured_ball",
+                part="speeds and bound",
                 routes=(
                     "Gauss-Weingarten equations and a cone of directions",
                     "positivity of t s - t^2/2 - t^3/8",
@@ -87,6 +100,19 @@ _INJECTIVE = (
                 mutants=(
                     Mutant(name="up to t = 3 s", given={"reach": "3"}),
                     Mutant(name="|N_uv| = cos^2 phi", given={"mixed": 2}),
+                ),
+            ),
+            Check(
+                name="sampled sectors",
+                run="checks.verify.branch_searches:star_normals_search",
+                part="sectors",
+                routes=(
+                    "half-turn rule on a grid, maximised",
+                    "Picard iteration of the Moutard equation",
+                ),
+                mutants=(
+                    Mutant(name="excess below 5 %", given={"bound_percent": 5}),
+                    Mutant(name="the cone 1 % wider", given={"cone_percent": 101}, near=True),
                 ),
             ),
         ),
@@ -104,6 +130,7 @@ _INJECTIVE = (
             Check(
                 name="distance on the collar",
                 run="checks.verify.normal_separation:collar_distance",
+                part="speeds and bound",
                 routes=(
                     "Gauss-Weingarten equations and a cone of directions",
                     "positivity of t s - t^2/2 - t^3/8",
@@ -111,6 +138,19 @@ _INJECTIVE = (
                 mutants=(
                     Mutant(name="d_0 = s delta", given={"share": "1"}),
                     Mutant(name="|N_uv| = cos^2 phi", given={"mixed": 2}),
+                ),
+            ),
+            Check(
+                name="sampled sectors",
+                run="checks.verify.branch_searches:star_normals_search",
+                part="sectors",
+                routes=(
+                    "half-turn rule on a grid, maximised",
+                    "Picard iteration of the Moutard equation",
+                ),
+                mutants=(
+                    Mutant(name="excess below 5 %", given={"bound_percent": 5}),
+                    Mutant(name="the cone 1 % wider", given={"cone_percent": 101}, near=True),
                 ),
             ),
         ),
@@ -290,10 +330,20 @@ _THEOREM = (
             "3.3.degree-stable",
             "lem:covering-number",
         ),
+        citation=Citation(
+            source="the proof of the theorem, in the simpler form of 3.3.degree-stable: equal "
+            "Lipschitz constants for BMO; H. Brezis and L. Nirenberg, Degree theory and BMO "
+            "II, Selecta Math. 2 (1996) 309-368, for the form in the paper",
+            reason="a statement about all sequences: that small differences of the normals in L^1 "
+            "are uniformly small, and that the degree then stays, is analysis; the indices and the "
+            "positivity of the distance kept are decided by computer",
+            search="search for a smooth saddle near the monkey saddle",
+        ),
         checks=(
             Check(
                 name="order of the limit",
                 run="checks.verify.branched_limits:branched_limit",
+                form="support",
                 routes=(
                     "degrees of stars and of smooth saddles",
                     "distance of the normals in L^1 by a bound on the collar",

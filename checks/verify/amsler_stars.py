@@ -122,6 +122,7 @@ def shrinking_stars(setting: Setting, *, regular: int = 2, percent: int = 100) -
 
     return bounded(
         rows(),
+        sampled=True,
         shown="on stars of order 2 to 4, eps from 1/2 to 1/256, the sum is -(m - 2) pi + eps^2 "
         "times the sum of the sines of the sectors, up to m eps^4/2",
     )

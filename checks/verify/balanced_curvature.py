@@ -170,6 +170,7 @@ def two_quantities(setting: Setting, *, order: int = 3, percent: int = 100) -> E
 
     return bounded(
         rows(),
+        sampled=True,
         shown="areas of stars of order 3 by PIII are positive and grow with l by no more than the "
         "integral of 1 over the new part, while the other quantity is pi",
     )

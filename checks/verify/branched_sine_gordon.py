@@ -66,7 +66,8 @@ def sum_rule(
         met=len(tilings),
         what="the sum rule",
         shown="on 30 random tiled disks, a third of them with three branch points or more and a "
-        "third with reflex corners, the rule holds for every surface: exact ranks",
+        "third with reflex corners, the rule holds for every surface: exact ranks; for other "
+        "tilings it follows by hand, as in the proof, from their stars and rectangles",
     )
 
 

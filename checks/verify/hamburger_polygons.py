@@ -164,8 +164,11 @@ def stars_are_hamburger(
     )
 
 
-def agreement(setting: Setting, *, sigma_power: int = 0) -> Evidence:
-    """(eq:hazzidakis) with the area that (eq:sg-hamburger) gives to the same rectangle."""
+def agreement(setting: Setting, *, sigma_power: int = 1) -> Evidence:
+    """(eq:hazzidakis) on a rectangle, against the area that (eq:sg-hamburger) gives to it.
+
+    sigma_power: of sigma in sigma A(R), as the erratum of (eq:hazzidakis) reads it; 0 as printed.
+    """
     residuals = {}
     polygon = ((0, 0), (1, 0), (1, 1), (0, 1))
     phi = polygons.unknown_angle

@@ -5,7 +5,7 @@ import sympy as sp
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities
 from checks.printed import normal_map as printed
-from checks.verify.normal_index import SADDLES, ball_index, certified
+from checks.verify.normal_index import SADDLES, at_samples, ball_index
 from theory.orientation import generic_plane
 from theory.polynomial_graph import PolynomialGraph, real_power
 from theory.vectors import Vector
@@ -55,7 +55,7 @@ def graph_index(setting: Setting, *, conjugate: int = 1, radius: str = "1/10") -
         degree = winding_by_zeros((first, conjugate * second), 0, size * small * 10)
         if degree != by_definition:
             wrong.append(f"w = {name}: the gradient has degree {degree}, J_p is {by_definition}")
-    return certified(
+    return at_samples(
         wrong,
         tried=len(heights),
         shown="for seven polynomial graphs J_p by its definition, in balls, is the degree of the "
@@ -87,7 +87,7 @@ def winding_jump(setting: Setting, *, first: int = 2, second: int = 3) -> Eviden
     middle = PolynomialGraph(height=sp.expand(path.subs(s, at)))
     if any(entry.subs({X: -1, Y: 0}) != 0 for entry in middle.gradient):
         wrong.append(f"s = {at}: the gradient does not vanish at -1")
-    return certified(
+    return at_samples(
         wrong,
         tried=5,
         shown="the gradient of the saddle winds -1 times, that of the monkey saddle -2 times; on "

@@ -113,10 +113,12 @@ def separation(
             "cone": identities(setting, _cone(), shown="cone"),
             "bound": positivity(setting, claims, shown="bound"),
         },
-        shown="N moves at unit speed along both families, N_uv is at most 1, the images of the "
-        "asymptotic directions keep within a cone: |N - N(p)| >= t s - t^2/2 - t^3/8 on each "
-        "sector, t = u + v, s = 1/sqrt(1 + k^2), k a bound of the curvature near p: positive for "
-        "0 < t < 7/5 s, and at least 7/8 s delta on the collar of every delta < s^2/8",
+        shown="by computer: N moves at unit speed along both families, |N_uv| = |cos phi|, the "
+        "curves turn by the change of phi, and t s - t^2/2 - t^3/8 is positive for 0 < t < 7/5 s, "
+        "and at least 7/8 s delta on the collar of every delta < s^2/8; by hand "
+        "(theory.normal_bounds): integrated in a cone of directions these speeds make it a lower "
+        "bound of |N - N(p)| on each sector, t = u + v, s = 1/sqrt(1 + k^2), k a bound of the "
+        "curvature near p",
     )
 
 
@@ -193,8 +195,9 @@ def collar_minimum(setting: Setting, *, inner: str = "delta") -> Evidence:
         )
     return combined(
         parts,
-        shown="on delta <= r <= 2 delta, which is compact, |N - N(p)| increases from its least "
-        "value at r = delta, which is positive; on the punctured ball the infimum would be 0",
+        shown="for the graphs of Re z^m, m = 2, 3, 4, |N - N(p)| rises on delta <= r <= 2 delta "
+        "from its least value at r = delta, which is positive; on the punctured ball the infimum "
+        "would be 0; by hand: on a compact set a continuous positive function has a least value",
     )
 
 
@@ -252,9 +255,11 @@ def sector_extension(setting: Setting, *, bend: str = "0", torsion: int = 1) -> 
                 witness=f"the second form jumps across the curves through p: {wrong}",
             ),
         },
-        shown="the series in u and v of either sign is a unit normal with unit speeds that agrees "
-        "with the sector where u, v >= 0; the four angles at p are alpha, pi - alpha, alpha, "
-        "pi - alpha, across whose rays the second form is continuous",
+        shown="from curves of any constant curvatures, at the angle of cosine 3/5, the series up "
+        f"to order {_ORDER} in u and v of either sign is a unit normal with unit speeds that "
+        "agrees with the sector where u, v >= 0; stars of the angles alpha, pi - alpha, alpha, "
+        f"pi - alpha, {len(_ALPHAS)} values of alpha, have a continuous second form across their "
+        "rays; by hand: the Goursat problem has a solution for curves of any curvature",
     )
 
 
@@ -335,6 +340,7 @@ def normal_defined(setting: Setting, *, curvature: int = -1) -> Evidence:
         )
     return combined(
         {"Lipschitz": lipschitz, "isolated": isolated},
-        shown="|dN| <= k, the bound of the curvature: N is Lipschitz; and N(x) is not N(p) for "
-        "0 < t < 7/5 s on the sectors of a saddle, so J_p is defined",
+        shown="|dN| <= k, the bound of the curvature: N is Lipschitz; and, by the bound of "
+        "(lem:injective), in part by hand, N(x) is not N(p) for 0 < t < 7/5 s on the sectors of a "
+        "saddle, so J_p is defined",
     )

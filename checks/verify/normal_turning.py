@@ -195,7 +195,8 @@ def covering_number(setting: Setting, *, offset: int = 1, slope: int = -1) -> Ev
         },
         shown=f"for sectors of any angles the tangent map of N by Lelieuvre is the Hessian of the "
         f"quadratic saddle, of determinant -1; on {len(STARS)} stars, m = 2 to 6, the lifts, the "
-        "winding number of the gradient and the number of preimages agree with 1 - m",
+        "winding number of the gradient and the number of preimages agree with 1 - m; by hand: N "
+        "turns as its tangent map, from which it differs by less than its length near p",
     )
 
 
@@ -235,8 +236,9 @@ def sheets(setting: Setting, *, shift: int = -1, only: int = 0, least: int = 1) 
     return statement(
         bool(counts) and not wrong,
         shown=f"on {len(counts)} stars every direction tried has |J_p| = m_p - 1 preimages "
-        f"(from {min(counts.values())} to {max(counts.values())}); N differs from its tangent map "
-        "by a map whose Lipschitz constant tends to 0 at p, so it has the same number near p",
+        f"(from {min(counts.values())} to {max(counts.values())}); by hand: N differs from its "
+        "tangent map by a map whose Lipschitz constant tends to 0 at p, so it has the same number "
+        "near p",
         witness="; ".join(wrong),
     )
 
@@ -252,8 +254,8 @@ def sheets_of_order_two(setting: Setting, *, only: int = 2, shift: int = -1) -> 
         bool(counts) and not wrong,
         shown=f"on {len(counts)} stars of order 2, thin and kinked ones among them, every "
         "direction tried has one preimage under the tangent map, the cones onto which it sends the "
-        "sectors fill one turn, so it is one-to-one with a Lipschitz inverse; N differs from it by "
-        "a map whose Lipschitz constant tends to 0 at p",
+        "sectors fill one turn; by hand: so it is one-to-one with a Lipschitz inverse, and N "
+        "differs by a map whose Lipschitz constant tends to 0 at p",
         witness="; ".join(wrong),
     )
 

@@ -149,9 +149,13 @@ def _side(setting: Setting, number: int, *, sign_v: int, moves: bool) -> Evidenc
             "N.N - 1": _moutard_defects(normal)["N.N - 1"],
             "r_uv - r_vu": _entries(closed),
             "speeds - 1": _entries(speeds),
+            "r_u, r_v at the point": _edge_gap(
+                [r_u[0, 0], r_v[0, 0]], [on_u.direction, on_v.direction]
+            ),
             "r_u.r_v - cos omega": _entries(gap),
         },
-        shown="unit normal, closed Lelieuvre form, unit speeds, and an angle with omega_uv = sin "
+        shown="unit normal, closed Lelieuvre form, unit speeds, r_u and r_v at the point along the "
+        "given lines, and an angle with omega_uv = sin "
         "omega, for every angle and curvatures k_0 + k_1 s of the inherited edge, to third order",
     )
 
