@@ -46,6 +46,8 @@ _WITNESS = (
     r"equal, are certified near it"
 )
 _REMARK = (
+    "One slip, the radius $r/L^2$ of John taken for $r$; it counts at (lem:maximal), at both of "
+    "its items and at the sentence of its proof that applies John's theorem. "
     r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size, and their curvatures "
     r"are bounded on all of $B_{3\delta}$. In translation nets the search finds item 1 false from "
     r"$k_{\max} = 4.33$ on and item 2 from $11.9$ on, and nothing below; with the bound on "
@@ -743,7 +745,8 @@ _PROJECTED_NORMAL = (
             witness=r"$k_{\max} = 2$: $L \ge 2$ and $r = 3\delta$, so $r/L^2 \le \frac34\delta < "
             r"2\delta$",
             conclusion_survives=True,
-            remark="The gap cannot be closed: (lem:maximal) is false as printed.",
+            remark="The gap cannot be closed: (lem:maximal) is false as printed. It is the slip "
+            "that counts at (lem:maximal) and at both of its items as well.",
         ),
     ),
 )
