@@ -237,8 +237,8 @@ _CONSEQUENCES = (
             r"$C^{1,1}$ and $W^{2,\infty}_{\mathrm{loc}}$, the sentence is right: with a smooth "
             "metric their isometries are smooth, by the cited theorem on intrinsically convex "
             r"surfaces. $W^{2,\infty}$ is meant in norm: the paper uses that it implies "
-            r"convergence in $W^{2,2}$, which bounded weak-* convergence does not. The contrast that "
-            r"it draws is one of convergence in $W^{2,2}$, with curvatures that stay bounded.",
+            r"convergence in $W^{2,2}$, which bounded weak-* convergence does not. The contrast "
+            r"that it draws is one of convergence in $W^{2,2}$, with curvatures that stay bounded.",
         ),
     ),
     Claim(
