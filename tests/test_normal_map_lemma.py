@@ -27,6 +27,21 @@ def test_the_two_places_have_one_normal_and_different_positions(t: Fraction):
     assert corner.position(right) != corner.position(left)
 
 
+@given(t=SHARP, u=st.fractions(-3, 3), v=st.fractions(-3, 3))
+def test_the_normal_is_that_of_asymptotic_curves_and_reverses_areas(t, u, v):
+    corner = FoldedCorner(t=t, spare=t / 4)
+
+    def steps(f):
+        at = f((u, v))
+        ends = (f((u + Fraction(1, 9), v)), f((u, v + Fraction(1, 9))))
+        return [(x - at[0], y - at[1]) for x, y in ends]
+
+    r, n = steps(corner.position), steps(corner.normal)
+    # No second form along u and along v: N_u is r_u turned to the left, N_v to the right.
+    assert n[0] == (-r[0][1], r[0][0])
+    assert n[1] == (r[1][1], -r[1][0])
+
+
 @given(t=SHARP)
 def test_the_directions_are_unit_vectors_with_all_angles_in_range(t: Fraction):
     corner = FoldedCorner(t=t, spare=t / 4)

@@ -228,14 +228,17 @@ _CONSEQUENCES = (
             corrected=r"A $C^{1,1}$ isometry is a limit of $C^2$ ones in "
             r"$W^{2,\infty}_{\mathrm{loc}}$ only if it is $C^2$; the plane joined to a cylinder is "
             r"one in $W^{2,2}_{\mathrm{loc}}$ with bounded curvatures",
-            kind="false",
+            kind="ambiguous",
             witness=r"the strip $(x(s), t, z(s))$ with $(x', z') = (\cos a, \sin a)$, $a = 0$ for "
             r"$s < 0$ and $a = s$ for $s > 0$: its second form jumps by $1$, and a continuous one "
             r"is at least $\frac12$ away",
             conclusion_survives=True,
-            remark=r"$W^{2,\infty}$ is meant in norm: the paper uses that it implies convergence "
-            r"in $W^{2,2}$, which bounded weak-* convergence does not. The contrast that it draws "
-            r"is one of convergence in $W^{2,2}$, with curvatures that stay bounded.",
+            remark="Where `respectively' pairs the elliptic surfaces, not both kinds, with "
+            r"$C^{1,1}$ and $W^{2,\infty}_{\mathrm{loc}}$, the sentence is right: with a smooth "
+            "metric their isometries are smooth, by the cited theorem on intrinsically convex "
+            r"surfaces. $W^{2,\infty}$ is meant in norm: the paper uses that it implies "
+            r"convergence in $W^{2,2}$, which bounded weak-* convergence does not. The contrast "
+            r"that it draws is one of convergence in $W^{2,2}$, with curvatures that stay bounded.",
         ),
     ),
     Claim(

@@ -46,11 +46,15 @@ _WITNESS = (
     r"equal, are certified near it"
 )
 _REMARK = (
+    "One slip, the radius $r/L^2$ of John taken for $r$; it counts at (lem:maximal), at both of "
+    "its items and at the sentence of its proof that applies John's theorem. "
     r"No $\eta(k_{\max})$ helps, for the surfaces are of every small size, and their curvatures "
     r"are bounded on all of $B_{3\delta}$. In translation nets the search finds item 1 false from "
     r"$k_{\max} = 4.33$ on and item 2 from $11.9$ on, and nothing below; with the bound on "
     r"$B_{3\delta}$ both are true for $k_{\max} \le 1.22$, and with the bound on a disk "
-    r"$k_{\max}^2$ times as large for every $k_{\max}$, by John's theorem. (thm:branched) takes "
+    r"$k_{\max}^2$ times as large for every $k_{\max}$, by John's theorem. The order is "
+    r"$k_{\max}$: from $B_{14 k_{\max}\delta}$ both follow, by the cone of (lem:injective); from "
+    r"$B_{3 k_{\max}\delta/16}$ they do not. (thm:branched) takes "
     r"$\epsilon$ smaller and survives."
 )
 
@@ -144,6 +148,20 @@ _LEMMA = (
                     Mutant(name="L/k_max 1 % less", given={"distortion": "113/100"}, near=True),
                     Mutant(name="R = 2.62 k_max^2 delta", given={"needed": "131/50"}, near=True),
                     Mutant(name="c = 0.88/k_max", given={"collar": "22/25"}, near=True),
+                ),
+            ),
+            Check(
+                name="radius of order k_max",
+                run="checks.verify.normal_cone:linear_radius",
+                form="support",
+                routes=(
+                    "cone of directions (theory.normal_bounds)",
+                    "surfaces near a folded corner (theory.folded_corner_surface, balls)",
+                ),
+                mutants=(
+                    Mutant(name="from 13.3 k_max delta", given={"reach": "133/10"}, near=True),
+                    Mutant(name="false on k_max delta/4", given={"below": "1/4"}),
+                    Mutant(name="c = 1/sqrt(1 + k_max^2)", given={"share": "1"}),
                 ),
             ),
             Check(
@@ -743,7 +761,8 @@ _PROJECTED_NORMAL = (
             witness=r"$k_{\max} = 2$: $L \ge 2$ and $r = 3\delta$, so $r/L^2 \le \frac34\delta < "
             r"2\delta$",
             conclusion_survives=True,
-            remark="The gap cannot be closed: (lem:maximal) is false as printed.",
+            remark="The gap cannot be closed: (lem:maximal) is false as printed. It is the slip "
+            "that counts at (lem:maximal) and at both of its items as well.",
         ),
     ),
 )

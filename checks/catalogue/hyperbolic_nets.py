@@ -274,6 +274,19 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
             ),
             Check(
+                name="quadrants of the example",
+                run=_ANGLES + "quadrants_off",
+                form="support",
+                routes=(
+                    "printed formula, principal values",
+                    "equal thirds of the angle",
+                ),
+                mutants=(
+                    Mutant(name="sums of the arguments", given={"principal": False}),
+                    Mutant(name="angles below pi/2", given={"least": 1}, near=True),
+                ),
+            ),
+            Check(
                 name="sum of the arguments",
                 run=_ANGLES + "thirds",
                 form="corrected",
@@ -304,9 +317,11 @@ CLAIMS: tuple[Claim, ...] = (
             conclusion_survives=True,
             remark=(
                 r"With the principal value the directions may be off by $\frac{2\pi}{3}$ or "
-                r"$\frac{4\pi}{3}$, outside the removed sector; so it happens in three of the "
-                r"four quadrants of the example. The sums $2\beta_1 + \beta_2$, $\beta_1 + "
-                r"2\beta_2$ of continuous arguments are right."
+                r"$\frac{4\pi}{3}$, outside the removed sector. So it happens to six of the eight "
+                r"new curves of the example, to one at least in each quadrant: there the angle at "
+                r"the cut is above $\frac{\pi}{2}$ and its bisector is the diagonal. The sums "
+                r"$2\beta_1 + \beta_2$, $\beta_1 + 2\beta_2$ of continuous arguments are right, "
+                "and the words of the paper, a trisection, leave no other choice."
             ),
         ),
     ),

@@ -136,6 +136,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
+                "One slip at three places, the sides known and sought and the display of the "
+                "$w_j$: each counts. "
                 r"With artanh for tanh the side would fit $|w_j| = \frac{\Delta}{2}$, but "
                 r"$\Delta$ would then not be the spacing of item (C) and of the boundary data "
                 r"$\tanh\frac{j\Delta}{2}$. The formula for $w_{12}$ holds whatever the common "
@@ -197,9 +199,11 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
+                "The slip that counts at the known sides and at the fourth vertex as well. "
                 r"Equal to first order in $\Delta$. Read with $\frac{\Delta}{2}$ as Euclidean "
-                r"length it would fit the side $2\operatorname{artanh}\frac{\Delta}{2}$, see the "
-                "claim on the sides."
+                r"length this display is right with the side $2\operatorname{artanh}"
+                r"\frac{\Delta}{2}$, see the claim on the sides; but the paper calls $\Delta$ the "
+                "side-length of the rhombi."
             ),
         ),
     ),
@@ -264,8 +268,8 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                "The same slip as at the known sides: what fixes the fourth vertex is that all "
-                "four sides are equal."
+                "The slip that counts at the known sides and at the $w_j$ as well: what fixes the "
+                "fourth vertex is that all four sides are equal."
             ),
         ),
     ),

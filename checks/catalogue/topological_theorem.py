@@ -1,6 +1,6 @@
 """Claims of section 3.3, branch points cannot be smoothed away: the theorem and its lemma."""
 
-from checks.claim import Check, Citation, Claim, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _BRANCHED = (
     (
@@ -27,6 +27,12 @@ _NOT_NEEDED = (
         r"local homeomorphism $N_n$ of $B$ is proper, so a covering, whose sheets are disks; "
         r"$\partial B'$ and so $B'$ lies in one of them, $N_n$ is one-to-one on $B'$, and the "
         r"degree on $\partial B'$ is 0 or $\pm 1$, while it is $1 - m_p \le -2$ at a branch point"
+    ),
+)
+_WIDER = (
+    (
+        r"(used, not stated) $B_{4\epsilon\sqrt{1 + k_{\max}^2}}(p) \subseteq \Omega$: "
+        r"$B_{3\epsilon}(p) \subseteq \Omega$ is not enough, as (lem:maximal) is false as printed"
     ),
 )
 _BALL = (r"$B_{3\epsilon}(p) \subseteq \Omega$, $0 < \epsilon < \min(\eta(k_{\max}), \delta(p))$",)
@@ -400,6 +406,7 @@ _THEOREM = (
         hypotheses=(
             *_SEQUENCE,
             *_BALL,
+            *_WIDER,
             (
                 r"(used, not stated) $c(k_{\max})$ serves $y$ too, sector by sector: $d_0$ alone, "
                 r"which belongs to $\delta(p) > \epsilon$, is no bound on the collar of $\epsilon$"
@@ -432,8 +439,21 @@ _THEOREM = (
         rests_on=("lem:maximal", "3.3.common-radius"),
         checks=(
             Check(
+                name="as printed",
+                run="checks.verify.normal_map_lemma:lemma",
+                routes=(
+                    "surfaces near a folded corner (theory.folded_corner_surface, balls)",
+                    "item 2 of (lem:maximal) for y_1",
+                ),
+                mutants=(
+                    Mutant(name="disk of radius 4 epsilon", given={"reach": "4"}),
+                    Mutant(name="disk of radius 3 k_max^(1/2) epsilon", given={"power": "1/2"}),
+                ),
+            ),
+            Check(
                 name="bound for all n",
                 run="checks.verify.branched_limits:common_distance",
+                form="corrected",
                 routes=(
                     "a cone of directions on each sector",
                     "positivity of the bound on the collar",
@@ -444,6 +464,20 @@ _THEOREM = (
                 ),
             ),
         ),
+        erratum=Erratum(
+            printed=r"$\|N_n(x) - N_n(p)\| \ge \rho_0(p)$ for all $n$, where $B_{3\epsilon}(p) "
+            r"\subseteq \Omega$, $\epsilon < \min(\eta(k_{\max}), \delta(p))$",
+            corrected=r"It is so where $B_{4\epsilon\sqrt{1 + k_{\max}^2}}(p) \subseteq \Omega$, "
+            r"$\epsilon < \frac{1}{8(1 + k_{\max}^2)}$",
+            kind="hypothesis",
+            witness=r"$k_{\max} = 20$, $\Omega = B_{3\epsilon}(p)$, $y_1$ the surface that refutes "
+            r"(lem:maximal), $y_n = y$ a saddle for $n \ge 2$: $N_1(x) = N_1(p)$ at a point $x$ of "
+            "the collar",
+            conclusion_survives=True,
+            remark=r"Not a slip of its own: it is that of (lem:maximal), used here. The proof may "
+            r"take $\epsilon$ smaller. That $\partial B_\epsilon(p)$ gives the winding number of "
+            "every $N_n$ needs the larger ball too.",
+        ),
     ),
     Claim(
         id="3.3.winding-on-common-circle",
@@ -452,7 +486,7 @@ _THEOREM = (
         kind="sentence",
         statement=r"The boundary of $B_\epsilon(p)$ computes the winding number of every $N_n$ and "
         r"of $N$ at $p$.",
-        hypotheses=(*_SEQUENCE, *_BALL),
+        hypotheses=(*_SEQUENCE, *_BALL, *_WIDER),
         rests_on=("3.3.common-distance", "3.3.common-distance-sequence", "3.3.index-well-defined"),
         checks=(
             Check(

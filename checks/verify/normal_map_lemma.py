@@ -25,7 +25,7 @@ def _ball(text: str) -> Any:
     return folded_corner_surface.ball(Fraction(text))
 
 
-def _refutation(reach: str, power: str) -> str:
+def refutation(reach: str, power: str) -> str:
     """Surfaces with two points of one normal, the centre and one of the collar; else empty."""
     for t in CORNERS:
         family = folded_corner_surface.surfaces(Fraction(t))
@@ -65,7 +65,7 @@ def lemma(setting: Setting, *, reach: str = "3", power: str = "0") -> Evidence:
         "k_max >= 1, by the theorem of John with L^2 <= 1.2985 k_max^2"
     )
     with ctx.workprec(BITS):
-        if witness := _refutation(reach, power):
+        if witness := refutation(reach, power):
             return Evidence(outcome="fail", grade="certified", witness=witness, shown=shown)
         if _follows(reach, power):
             return Evidence(outcome="pass", grade="certified", shown=shown)

@@ -183,3 +183,38 @@ def thirds(
         met=tried,
         shown="(2 beta_1 + beta_2)/3 and (beta_1 + 2 beta_2)/3 divide the angle in three",
     )
+
+
+def quadrants_off(setting: Setting, *, principal: bool = True, least: int = 13) -> Evidence:
+    """New directions that miss the thirds in the quadrants of the example, in units of pi.
+
+    The edges lie symmetrically about the diagonal of a quadrant, as at the cut of an Amsler sector;
+    their angle is least/24 to (least + 10)/24 of pi: at the cut it is above pi/2.
+    """
+    del setting
+    openings = [Fraction(n, 24) for n in range(least, least + 11)]
+    for opening in openings:
+        missed = []
+        for quadrant in range(4):
+            first = Fraction(2 * quadrant + 1, 4) - opening / 2
+            second = first + opening
+            thirds_of = (first + opening / 3, second - opening / 3)
+            found = (
+                printed.trisecting(first, second, principal=principal),
+                printed.trisecting(second, first, principal=principal),
+            )
+            missed.append(sum(bool((a - b) % 2) for a, b in zip(found, thirds_of, strict=True)))
+        if missed != [1, 2, 2, 1]:
+            return Evidence(
+                outcome="fail",
+                grade="exact",
+                witness=f"with the angle {opening} pi the formulas miss {missed} directions",
+            )
+    return Evidence(
+        outcome="pass",
+        grade="exact",
+        tried=len(openings),
+        met=len(openings),
+        shown="for angles above pi/2 the principal values miss 1, 2, 2, 1 of the two directions in "
+        "the four quadrants",
+    )
