@@ -71,7 +71,7 @@ def _witness(polygon: HamburgerPolygon, residual: str) -> str:
 def floats(
     setting: Setting, *, regular: int = 2, corners: bool = False, sign: int = -1, percent: int = 100
 ) -> Evidence:
-    """Balance on five nets of up to seven branch points, in float64 with the shipped angles."""
+    """Balance on five nets of up to four branch points, in float64 with the shipped angles."""
     side = _Side(regular=regular, corners=corners, sign=sign, percent=percent)
     rng, worst, tried, several = generator(setting), 0.0, 0, 0
     for recipe in nets.LARGE:
