@@ -26,28 +26,28 @@ FloatArray = npt.NDArray[np.float64]
 
 # tanh of half the two edges, and the tangent of half the angle from the u- to the v-edge: elements
 # of a field of fractions, in which the shipped bodies run exactly and without simplification.
-_FIELD, T1, T2, P = field("t_1, t_2, p", sp.QQ)
+FIELD, T1, T2, P = field("t_1, t_2, p", sp.QQ)
 _COS, _SIN = (1 - P**2) / (1 + P**2), 2 * P / (1 + P**2)
-_ORIGIN = (_FIELD.one, _FIELD.zero, _FIELD.zero)
+_ORIGIN = (FIELD.one, FIELD.zero, FIELD.zero)
 _AROUND = ((0, 0), (1, 0), (1, 1), (0, 1))
 _ROUNDING = 1e-10  # some hundred steps in float64, angles of edges of length 1/10
 
 
-def _hyperbolic() -> list[Triple]:
+def plane_corners() -> list[Triple]:
     """Corners of a parallelogram of H^2 with the first one at the origin."""
     (c1, s1), (c2, s2) = (((1 + t**2) / (1 - t**2), 2 * t / (1 - t**2)) for t in (T1, T2))
-    p1, p2 = (c1, s1, _FIELD.zero), (c2, s2 * _COS, s2 * _SIN)
+    p1, p2 = (c1, s1, FIELD.zero), (c2, s2 * _COS, s2 * _SIN)
     return [_ORIGIN, p1, close_quad(dot_h2, _ORIGIN, p1, p2), p2]
 
 
-def _normals(scale: str, v_sign: int, *, half_turn: bool) -> list[Triple]:
+def quad_normals(scale: str, v_sign: int, *, half_turn: bool) -> list[Triple]:
     """Normals at the corners: along u-edges the normal moves to their left, along v to the right.
 
     scale: tan(s/2) = scale t for a step s; v_sign: -1 for the right.
     """
-    steps = [_FIELD(sp.QQ(sp.Rational(scale).p, sp.Rational(scale).q)) * t for t in (T1, T2)]
+    steps = [FIELD(sp.QQ(sp.Rational(scale).p, sp.Rational(scale).q)) * t for t in (T1, T2)]
     (c1, s1), (c2, s2) = (((1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)) for t in steps)
-    n1 = (c1, _FIELD.zero, s1)
+    n1 = (c1, FIELD.zero, s1)
     n2 = (c2, -v_sign * s2 * _SIN, v_sign * s2 * _COS)
     far = close_quad(dot_s2, _ORIGIN, n1, n2)
     if not half_turn:
@@ -55,12 +55,12 @@ def _normals(scale: str, v_sign: int, *, half_turn: bool) -> list[Triple]:
     return [_ORIGIN, n1, far, n2]
 
 
-def _corners(normals: list[Triple]) -> list[Triple]:
+def space_corners(normals: list[Triple]) -> list[Triple]:
     """Corners of the quad in space with these normals, by the shipped formula of Lelieuvre."""
     grid = np.empty((3, 2, 2), dtype=object)
     for (i, j), normal in zip(_AROUND, normals, strict=True):
         grid[:, i, j] = normal
-    found = positions(grid, np.array([_FIELD.zero] * 3, dtype=object))
+    found = positions(grid, np.array([FIELD.zero] * 3, dtype=object))
     return [tuple(found[:, i, j].tolist()) for i, j in _AROUND]
 
 
@@ -72,8 +72,8 @@ def quad(
     scale: tan(s/2) = scale tanh(a/2) for the steps s of the normal; v_sign: side to which it moves
     along v-edges; half_turn: rule that closes the quad of normals.
     """
-    plane, normals = _hyperbolic(), _normals(scale, v_sign, half_turn=half_turn)
-    space = _corners(normals)
+    plane, normals = plane_corners(), quad_normals(scale, v_sign, half_turn=half_turn)
+    space = space_corners(normals)
     sides = [2 * t / (1 + t**2) for t in (T1, T2, T1, T2)]  # tanh a
     cosh = (1 + T1**2) / (1 - T1**2) * (1 + T2**2) / (1 - T2**2)
     found: dict[str, Any] = {}
