@@ -15,6 +15,19 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=("prop:assembly", "def:branched_immersion"),
         checks=(
             Check(
+                name="strain of a rhombus",
+                run="checks.verify.quad_strain:uniform_strain",
+                routes=(
+                    "diagonals of Lelieuvre's quads, in a field of fractions",
+                    "diagonals of half-turns of H^2",
+                ),
+                mutants=(
+                    Mutant(name="cosh^2", given={"cosh_power": 2}),
+                    Mutant(name="order 3", given={"order": 3}, near=True),
+                    Mutant(name="order 1", given={"order": 1}, near=True),
+                ),
+            ),
+            Check(
                 name="strain at branch points",
                 run="checks.verify.announced_nets:no_stretching",
                 routes=(
