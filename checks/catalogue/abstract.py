@@ -44,7 +44,22 @@ _CLAIMS: tuple[Claim, ...] = (
             "abstract.index",
             "thm:branched",
         ),
-        waits_for=("3.3",),
+        checks=(
+            Check(
+                name="disturbed normals",
+                run="checks.verify.robust_index:disturbed",
+                routes=(
+                    "normals of Lelieuvre's surfaces, disturbed",
+                    "order of the vertex in the complex",
+                ),
+                mutants=(
+                    Mutant(
+                        name="1 % beyond the distance from N(p)", given={"percent": 101}, near=True
+                    ),
+                    Mutant(name="half as far again", given={"percent": 150}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="abstract.no-concentration",

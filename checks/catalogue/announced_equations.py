@@ -176,7 +176,35 @@ CLAIMS: tuple[Claim, ...] = (
             "poincare-ddg",
             "eq:angle",
         ),
-        waits_for=("4.1",),
+        checks=(
+            Check(
+                name="second form",
+                run="checks.verify.intrinsic_second_form:second_form",
+                part="second form",
+                routes=(
+                    "second differences of Lelieuvre's quads, in a field of fractions",
+                    "lengths and angle of the quad of H^2",
+                ),
+                mutants=(
+                    Mutant(name="h_uv 1 % larger", given={"factor": "101/100"}, near=True),
+                    Mutant(name="cos A for sin A", given={"power": 0}),
+                    Mutant(name="opposite sign", given={"sign": -1}),
+                ),
+            ),
+            Check(
+                name="branch points",
+                run="checks.verify.net_topology:inherited",
+                part="branch points",
+                routes=(
+                    "combinatorial surgery and (poincare-ddg)",
+                    "half-turns of triples between equally spaced geodesics",
+                ),
+                mutants=(
+                    Mutant(name="last edge 1 % longer", given={"last_edge": 101}, near=True),
+                    Mutant(name="a complex without branch points", given={"branched": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="1.greedy",

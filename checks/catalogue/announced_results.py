@@ -209,7 +209,25 @@ CLAIMS: tuple[Claim, ...] = (
             ("(used, not stated) the limit is a $C^{1,1}$ immersion of a simply connected domain"),
         ),
         rests_on=("thm:branched",),
-        waits_for=("3.3",),
+        checks=(
+            Check(
+                name="order of the limit",
+                run="checks.verify.robust_index:unbranched_limit",
+                routes=(
+                    "indices of stars and of smooth surfaces",
+                    "bound of the normals on a collar",
+                ),
+                mutants=(
+                    Mutant(name="smooth surfaces of any curvature", given={"isometric": False}),
+                    Mutant(name="a limit of order 3", given={"order": 3}, near=True),
+                    Mutant(
+                        name="the bound on the collar 1 % above s",
+                        given={"share": "101/100"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="1.surgery",
@@ -218,6 +236,20 @@ CLAIMS: tuple[Claim, ...] = (
         kind="sentence",
         statement="Surgery adds branch points to a surface.",
         rests_on=("lem:surgery",),
-        waits_for=("3.4",),
+        checks=(
+            Check(
+                name="surgeries on nets",
+                run="checks.verify.announced_nets:surgery_adds",
+                routes=(
+                    "degrees of the glued complex",
+                    "winding of the normal of Lelieuvre's surface",
+                ),
+                mutants=(
+                    Mutant(name="two branch points each", given={"gained": 2}, near=True),
+                    Mutant(name="none", given={"gained": 0}, near=True),
+                    Mutant(name="the rest of the surface moves", given={"kept": False}),
+                ),
+            ),
+        ),
     ),
 )

@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _TILINGS = "checks.verify.branched_sine_gordon:"
+_NETS = "checks.verify.net_balance:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -78,6 +79,50 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="limit from the first quadrant", given={"choice": "first"}),
                     Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="on nets, all angles",
+                run="checks.verify.discrete_charges:balance",
+                form="support",
+                routes=(
+                    "counts and fractions of pi at the corners, written out",
+                    "discrete.charges",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="corners alone", given={"corners": True}),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                ),
+            ),
+            Check(
+                name="on hyperbolic nets",
+                run=_NETS + "floats",
+                form="support",
+                routes=(
+                    "angles advanced without coordinates (discrete.branched_net)",
+                    "areas of geodesic triangles between half-turns of triples",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="corners alone", given={"corners": True}),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
+                ),
+            ),
+            Check(
+                name="on hyperbolic nets, in balls",
+                run=_NETS + "balls",
+                form="support",
+                routes=(
+                    "angles advanced without coordinates (discrete.angle_advance)",
+                    "areas of geodesic triangles between half-turns of triples",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="corners alone", given={"corners": True}),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                    Mutant(name="area times 1.01", given={"percent": 101}, near=True),
                 ),
             ),
         ),

@@ -1,6 +1,6 @@
 """Claims of section 6, the discussion."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -13,7 +13,33 @@ CLAIMS: tuple[Claim, ...] = (
             "concentrating stretching energy: the metric is $K = -1$ up to the branch point."
         ),
         rests_on=("prop:assembly", "def:branched_immersion"),
-        waits_for=("3.2",),
+        checks=(
+            Check(
+                name="strain of a rhombus",
+                run="checks.verify.quad_strain:uniform_strain",
+                routes=(
+                    "diagonals of Lelieuvre's quads, in a field of fractions",
+                    "diagonals of half-turns of H^2",
+                ),
+                mutants=(
+                    Mutant(name="cosh^2", given={"cosh_power": 2}),
+                    Mutant(name="order 3", given={"order": 3}, near=True),
+                    Mutant(name="order 1", given={"order": 1}, near=True),
+                ),
+            ),
+            Check(
+                name="strain at branch points",
+                run="checks.verify.announced_nets:no_stretching",
+                routes=(
+                    "diagonals of rhombi of H^2",
+                    "diagonals of the quads of Lelieuvre's surface",
+                ),
+                mutants=(
+                    Mutant(name="order 1", given={"order": 1}, near=True),
+                    Mutant(name="order 3", given={"order": 3}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.1-complex-encodes-topology",
@@ -25,7 +51,20 @@ CLAIMS: tuple[Claim, ...] = (
             "of a vertex, how the normal map is ramified: $J_p = 1 - m_p$."
         ),
         rests_on=("def:A-complex", "lem:covering-number"),
-        waits_for=("3.3",),
+        checks=(
+            Check(
+                name="normal and lines in space",
+                run="checks.verify.robust_index:encoded",
+                routes=(
+                    "degrees and fans of the complex",
+                    "winding of the normal and bearings of the edges of Lelieuvre's surface",
+                ),
+                mutants=(
+                    Mutant(name="J = 2 - m", given={"offset": 2}, near=True),
+                    Mutant(name="J = 1 - 2 m", given={"halves": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.2-index-is-robust",
@@ -40,7 +79,24 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("thm:branched", "def:Jp"),
-        waits_for=("3.3",),
+        checks=(
+            Check(
+                name="index of a limit",
+                run="checks.verify.robust_index:limit_index",
+                routes=(
+                    "degrees of loops in balls",
+                    "indices of stars and of smooth saddles",
+                ),
+                mutants=(
+                    Mutant(name="loops 1 % farther apart", given={"percent": 101}, near=True),
+                    Mutant(
+                        name="the bound on the collar 1 % above s",
+                        given={"share": "101/100"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.3-generalised-sine-gordon",
@@ -49,7 +105,20 @@ CLAIMS: tuple[Claim, ...] = (
         kind="item",
         statement="The sine-Gordon equation has a generalisation to surfaces with branch points.",
         rests_on=("thm:sg-branched",),
-        waits_for=("3.5",),
+        checks=(
+            Check(
+                name="with and without branch points",
+                run="checks.verify.discussion:generalised",
+                routes=(
+                    "printed charges and the limit of small rectangles",
+                    "angles at the centre of stars, exact ranks on random tilings",
+                ),
+                mutants=(
+                    Mutant(name="m - 3 for m - 2", given={"regular": 3}, near=True),
+                    Mutant(name="opposite charge", given={"sign": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.3-distributed-branch-points",
@@ -63,7 +132,21 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("(used, not stated) each branch point has $m = 3$",),
         rests_on=("6.3-generalised-sine-gordon", "rmk:distributed"),
-        waits_for=("3.5",),
+        checks=(
+            Check(
+                name="one for each area pi",
+                run="checks.verify.discussion:distributed",
+                routes=(
+                    "printed area for each branch point",
+                    "angles at the centre of stars, signs on random tilings",
+                ),
+                mutants=(
+                    Mutant(name="order 4", given={"order": 4}, near=True),
+                    Mutant(name="area 1.01 pi", given={"percent": 101}, near=True),
+                    Mutant(name="0.99 delta a vertex", given={"per_vertex": 99}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.4-net-for-the-deformation",
@@ -75,7 +158,34 @@ CLAIMS: tuple[Claim, ...] = (
             "frame and encodes the asymptotic complex with its branch points."
         ),
         rests_on=("4.1.hyperbolic-chebyshev-net", "4.1.deformation-composite"),
-        waits_for=("4.1",),
+        checks=(
+            Check(
+                name="complex from places",
+                run="checks.verify.announced_nets:encodes_complex",
+                part="complex",
+                routes=(
+                    "places of the quads in the disk",
+                    "combinatorial surgery",
+                ),
+                mutants=(
+                    Mutant(name="one surgery fewer", given={"dropped": 1}, near=True),
+                    Mutant(name="places to whole numbers", given={"digits": 0}),
+                ),
+            ),
+            Check(
+                name="deformation",
+                run="checks.verify.net_deformation:composite",
+                part="deformation",
+                routes=(
+                    "half-turns of triples of H^2",
+                    "discrete.lelieuvre on half-turns of S^2",
+                ),
+                mutants=(
+                    Mutant(name="a net with reversals", given={"folded": True}),
+                    Mutant(name="angles 1 % larger", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.4-distinguishes-classes",
@@ -93,7 +203,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("6.4-net-for-the-deformation", "4.1.branch-point-degree"),
-        waits_for=("4.1",),
+        checks=(
+            Check(
+                name="degrees and classes",
+                run="checks.verify.announced_nets:distinguishes",
+                routes=(
+                    "degree in the complex of the net",
+                    "Hessians of saddles over stars",
+                ),
+                mutants=(
+                    Mutant(name="degree 4", given={"least": 4}, near=True),
+                    Mutant(name="degree 8", given={"least": 8}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.5-slower-growth",

@@ -4,6 +4,8 @@ from checks.claim import Check, Claim, Erratum, Mutant
 
 _DISK = "checks.verify.poincare_disk:"
 _ANGLES = "checks.verify.poincare_angles:"
+_STARS = "checks.verify.planar_stars:"
+_TOPOLOGY = "checks.verify.net_topology:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -50,6 +52,21 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) degree $2$ is excluded",
         ),
         rests_on=("4.1.hyperbolic-chebyshev-net", "def:A-complex"),
+        checks=(
+            Check(
+                name="as defined",
+                run=_TOPOLOGY + "branch_points",
+                routes=(
+                    "printed condition on the degree",
+                    "winding of the normal of Lelieuvre's surface",
+                ),
+                mutants=(
+                    Mutant(name="degree 4", given={"least": 4}, near=True),
+                    Mutant(name="degree 8", given={"least": 8}, near=True),
+                    Mutant(name="vertices of the boundary too", given={"interior": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.inherited-topology",
@@ -65,8 +82,28 @@ CLAIMS: tuple[Claim, ...] = (
             "the complex is simply connected",
             r"(used, not stated) angles of the boundary data at a branch point add up to $2\pi$",
             "(used, not stated) no quad degenerates and there is no reversal",
+            (
+                "(used, not stated) the complex is a star of rectangles, or comes from one by "
+                "surgeries in its sectors, as those of sections 3.4 and 5: no other is tried"
+            ),
         ),
         rests_on=("4.1.hyperbolic-chebyshev-net", "poincare-ddg", "def:A-complex"),
+        checks=(
+            Check(
+                name="nets on given complexes",
+                run=_TOPOLOGY + "inherited",
+                routes=(
+                    "combinatorial surgery and (poincare-ddg)",
+                    "half-turns of triples between equally spaced geodesics",
+                ),
+                mutants=(
+                    Mutant(name="last edge 1 % longer", given={"last_edge": 101}, near=True),
+                    Mutant(name="1 + 1.01 |w_1 w_2|", given={"weight": "101/100"}, near=True),
+                    Mutant(name="1 - |w_1 w_2|", given={"weight": "-1"}),
+                    Mutant(name="a complex without branch points", given={"branched": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.planar-stars",
@@ -91,6 +128,33 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) the complex is simply connected",
         ),
         rests_on=("4.1.hyperbolic-chebyshev-net", "eq:d_lelieuvre", "def:K-surf"),
+        checks=(
+            Check(
+                name="quad by quad",
+                run=_STARS + "quad",
+                routes=(
+                    "discrete.lelieuvre on half-turns of S^2, in a field of fractions",
+                    "discrete.geodesics on half-turns of H^2",
+                ),
+                mutants=(
+                    Mutant(name="tan(s/2) 1 % larger", given={"scale": "101/100"}, near=True),
+                    Mutant(name="normals to the left of v-edges", given={"v_sign": 1}),
+                    Mutant(name="normals in parallelograms of R^3", given={"half_turn": False}),
+                ),
+            ),
+            Check(
+                name="across sectors",
+                run=_STARS + "whole",
+                routes=(
+                    "discrete.planar_stars with the angles of the net",
+                    "angles between half-turns of triples of H^2",
+                ),
+                mutants=(
+                    Mutant(name="angles of sum 2 pi + 0.01", given={"gap": "1/100"}, near=True),
+                    Mutant(name="edges 1 % longer", given={"percent": 101}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.discrete-conformal",

@@ -338,6 +338,20 @@ CLAIMS: tuple[Claim, ...] = (
             "lem:covering-number",
             "3.2.undulations-persist",
         ),
-        waits_for=("3.2",),
+        checks=(
+            Check(
+                name="four sectors",
+                run="checks.verify.smooth_sectors:cannot_refine",
+                routes=(
+                    "null lines of quadratic forms, with a remainder",
+                    "saddles over stars",
+                ),
+                mutants=(
+                    Mutant(name="six sectors", given={"sectors": 6}),
+                    Mutant(name="positive curvature", given={"curvature": 1}),
+                    Mutant(name="not of class C^2", given={"smooth": False}),
+                ),
+            ),
+        ),
     ),
 )

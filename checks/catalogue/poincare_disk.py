@@ -24,6 +24,30 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.planar-stars",),
+        checks=(
+            Check(
+                name="vertex by vertex",
+                run="checks.verify.net_deformation:composite",
+                routes=(
+                    "half-turns of triples of H^2",
+                    "discrete.lelieuvre on half-turns of S^2",
+                ),
+                mutants=(
+                    Mutant(name="a net with reversals", given={"folded": True}),
+                    Mutant(name="angles 1 % larger", given={"percent": 101}, near=True),
+                ),
+            ),
+            Check(
+                name="in the limit",
+                run="checks.verify.net_deformation:limit",
+                form="support",
+                routes=(
+                    "half-turns of triples of H^2",
+                    "discrete.lelieuvre on half-turns of S^2",
+                ),
+                mutants=(Mutant(name="order 1", given={"order": 1}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="4.1.poincare-metric",

@@ -40,3 +40,10 @@ def is_chebyshev_net(
         closed(places[face[0]], places[face[1]], places[face[3]], field) == places[face[2]]
         for face in faces
     )
+
+
+def is_branch_point(
+    degree: int, is_interior: bool, *, least: int = 6, interior: bool = True
+) -> bool:
+    """Whether a vertex of a net is a branch point: inside, of degree 2m >= 6 (line 1196)."""
+    return degree >= least and (is_interior or not interior)

@@ -229,7 +229,7 @@ def degree_stable(setting: Setting, *, percent: int = 99) -> Evidence:
     )
 
 
-def _smooth_indices(*, isometric: bool) -> set[int]:
+def smooth_indices(*, isometric: bool) -> set[int]:
     """J_p of smooth saddles of determinant -1, or of the graphs of Re z^2, Re z^3 and Re z^4."""
     if isometric:
         shares = (sp.pi / 3, sp.pi / 2, sp.pi / 50)
@@ -252,7 +252,7 @@ def branched_limit(
     slope = normal_bounds.cone_slope(k)
     rho = sp.Rational(share) * slope * normal_bounds.largest_radius(slope) * x / (1 + x)
     gap = normal_bounds.cone_volume(rho / 2, 2 * k)
-    smooth = _smooth_indices(isometric=isometric)
+    smooth = smooth_indices(isometric=isometric)
     orders = [m for m in range(2, 13) if star_index(m) in smooth]
     expected = [printed.limit_order(order=order)]
     return combined(
