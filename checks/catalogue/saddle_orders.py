@@ -28,8 +28,8 @@ _SADDLES = (
         hypotheses=(
             r"(used, not stated) $r$ is an immersion, with a normal continuous on $T$",
             (
-                r"(used, not stated) $C^{1,1}$ refers to the surface as a graph over its tangent planes, "
-                r"not to the plane of the star $T$: see the proof of (prop:assembly)"
+                r"(used, not stated) $C^{1,1}$ refers to the surface as a graph over its tangent "
+                r"planes, not to the plane of the star $T$: see the proof of (prop:assembly)"
             ),
         ),
         rests_on=("def:m-star", "eq:sector-coords", "eq:lelieuvre", "eq:lorentz_harmonic"),

@@ -31,11 +31,12 @@ from theory.goursat_angle import goursat_angle
 from theory.vectors import Vector, dot, scaled
 
 
-def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> Evidence:
-    """Derivative of r across a ray of curvature 1, in the plane of the star or as a graph.
+def smooth_across(setting: Setting, *, chart: str = "tangent plane", extra: int = 0) -> Evidence:
+    """Derivative of r across a ray, as a graph or in the plane of the star.
 
-    chart: "star" or "tangent plane", the surface being a graph there near the corner, its gradient
-    (-N_1/N_3, -N_2/N_3); extra: difference of the curvatures prescribed on the ray.
+    chart: "tangent plane", the surface being a graph there near the corner, its gradient
+    (-N_1/N_3, -N_2/N_3), or "star", with a ray of curvature 1; extra: difference of the curvatures
+    prescribed on the ray.
     """
     if chart == "star":
         return continuous_derivative(setting, bend=1 + extra)
