@@ -5,7 +5,7 @@ from typing import Any
 
 from flint import arb, ctx
 
-from checks.evidence import Evidence
+from checks.evidence import Evidence, Grade
 
 #: Place in words, quantity, bound: the claim is quantity <= bound.
 Row = tuple[str, Any, Any]
@@ -29,10 +29,13 @@ class Balls:
 BALLS = Balls()
 
 
-def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
+def bounded(
+    rows: Iterable[Row], *, shown: str, bits: int = 128, grade: Grade = "certified"
+) -> Evidence:
     """Evidence that each quantity is at most its bound: certified, or refuted at the first place.
 
-    rows are made at the precision of bits. Undecided where a comparison is; no rows are undecided.
+    rows are made at the precision of bits; grade: of a pass, numeric where the rows are samples of
+    a range for which the claim is made. Undecided where a comparison is; no rows are undecided.
     """
     tried, met, open_places = 0, 0, []
     with ctx.workprec(bits):
@@ -61,7 +64,7 @@ def bounded(rows: Iterable[Row], *, shown: str, bits: int = 128) -> Evidence:
             met=met,
             shown=f"not decided: {where}",
         )
-    return Evidence(outcome="pass", grade="certified", tried=tried, met=met, shown=shown)
+    return Evidence(outcome="pass", grade=grade, tried=tried, met=met, shown=shown)
 
 
 def _text(ball: Any) -> str:

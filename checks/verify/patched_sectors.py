@@ -168,6 +168,7 @@ def regular_rectangle(setting: Setting, *, share: str = "9/10", slope: str = "1"
         shown="|N_u x N_v| = sin theta with alpha <= theta <= alpha + u v, as 0 <= theta_uv <= 1 "
         "(by hand), so that it is positive on every rectangle with c d < pi - alpha; seen on balls "
         "of Painleve III for alpha = pi/12 to 11 pi/12",
+        grade="numeric",
     )
 
 
