@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from theory import assembled_float
+from theory import assembled_float, painleve_float
 from theory import sector_series as series
 from theory.bent_curves import binormals, frame_coefficients, lelieuvre_series, position_series
 from theory.errors import DomainError
@@ -76,6 +76,20 @@ def test_the_angle_converges_to_second_order():
     values = [goursat_angle(1.0, 0.5, -0.3, 1.0, steps=n)[-1, -1] for n in (8, 16, 32, 64, 128)]
     steps = [abs(b - a) for a, b in pairwise(values)]
     assert all(1.9 < log2(a / b) < 2.1 for a, b in pairwise(steps))
+
+
+def test_the_edges_have_the_given_rates():
+    theta = goursat_angle(1.0, 0.5, -0.3, 1.0, steps=10)
+    assert theta[-1, 0] == pytest.approx(1.5, abs=1e-14)
+    assert theta[0, -1] == pytest.approx(0.7, abs=1e-14)
+
+
+def test_the_angle_between_straight_edges_is_that_of_painleve_iii():
+    errors = [
+        abs(goursat_angle(1.0, 0.0, 0.0, 1.0, steps=n)[-1, -1] - painleve_float.angle(1.0, 2.0))
+        for n in (8, 16, 32, 64)
+    ]
+    assert all(1.9 < log2(a / b) < 2.1 for a, b in pairwise(errors))
 
 
 def test_counts_of_crossings_and_turns():

@@ -55,3 +55,4 @@ def test_a_point_of_a_ray_is_in_two_sectors():
     for i in star.rays:
         x = point(star.length(i) / 2, star.ray(i), Fraction(0), star.ray(i))
         assert set(star.sectors_of(x)) == {i, i % 6 + 1}
+        assert not any(star.inside_sector(j, x) for j in star.rays)

@@ -256,6 +256,11 @@ _PATCHING = (
                     "star of the lesser lengths",
                 ),
                 mutants=(
+                    Mutant(
+                        name="lengths 1 % longer",
+                        given={"rays_included": True, "longer": "101/100"},
+                        near=True,
+                    ),
                     Mutant(name="open rectangles", given={"rays_included": False}),
                     Mutant(
                         name="lengths not cut", given={"rays_included": True, "same_lengths": False}
@@ -281,17 +286,17 @@ _PATCHING = (
         ),
         erratum=Erratum(
             printed=r"$J_i=\{0<u_i<c_i,0<v_i<d_i\}$, $T=\bigcup_iJ_i$ is an $m$-star",
-            corrected=(
-                r"$J_i=\{0\le u_i<c_i,0\le v_i<d_i\}$, with $c_i=c_{i+1}$ for even $i$ "
-                "and $d_i=d_{i+1}$ for odd $i$"
-            ),
+            corrected=(r"$J_i=\{0\le u_i<c_i,0\le v_i<d_i\}$, $T=\bigcup_iJ_i$ is an $m$-star"),
             kind="misprint",
             witness=(
                 "$u_i>0$ and $v_i>0$ in every $J_i$: the origin and the rays are in no "
                 "$J_i$, and the union has $2m$ components"
             ),
             conclusion_survives=True,
-            remark="The lengths agree after shrinking, as the sentence allows.",
+            remark=(
+                r"Neighbours need the same length on their common ray, $c_i=c_{i+1}$ for even "
+                r"and $d_i=d_{i+1}$ for odd $i$: the sentence allows for it (shrinking)."
+            ),
         ),
     ),
 )

@@ -9,6 +9,12 @@ _ANGLES = (
     r"$\sum_{i=1}^{2m} \alpha_i = 2\pi$",
 )
 
+_NUMBERING = (
+    r"(read) as in line 480, $S_i$ is here the sector between $\mathbf{s}_i$ and "
+    r"$\mathbf{s}_{i+1}$, to which (def:sectors) gives the number $i + 1$, and $\alpha_i$ its "
+    "angle: one slip of numbering, told once in the erratum of line 480"
+)
+
 _DUAL_VECTORS = (
     Claim(
         id="3.2.dual-vectors",
@@ -70,8 +76,8 @@ _DUAL_VECTORS = (
         erratum=Erratum(
             printed=r"$\mathbf s^*_{i+1}\cdot\mathbf s_i=\sin(\beta_{i+1}-\beta_i)$",
             corrected=(
-                r"$\mathbf s^*_{i+1}\cdot\mathbf s_i=-\sin(\beta_{i+1}-\beta_i)$, or "
-                r"$\mathbf s^*_i\cdot\mathbf s_{i+1}=\sin(\beta_{i+1}-\beta_i)$"
+                r"$\mathbf s^*_{i+1}\cdot\mathbf s_i=-\sin(\beta_{i+1}-\beta_i)$, or, leaving "
+                r"this, $\mathbf s^*_j=\mathbf s_j\times\mathbf e_3$"
             ),
             kind="misprint",
             witness=(
@@ -81,8 +87,9 @@ _DUAL_VECTORS = (
             ),
             conclusion_survives=True,
             remark=(
-                r"The display for $(\xi_i,\eta_i)$ is right with this negative "
-                "denominator."
+                "One sign, here or in the dual vectors: nothing else depends on it, neither the "
+                r"display for $(\xi_i,\eta_i)$, a quotient, nor the $\pm$ and the modulus of "
+                r"$\mathbf s^*_{i-1}\cdot\mathbf s_i$ further on."
             ),
         ),
     ),
@@ -92,47 +99,18 @@ _DUAL_VECTORS = (
         where="line 489",
         kind="equation",
         statement=r"$\sin(\beta_{i+1} - \beta_i) = \sin\alpha_i$.",
-        hypotheses=_ANGLES,
+        hypotheses=(*_ANGLES, _NUMBERING),
         rests_on=("3.2.directions",),
         checks=(
             Check(
-                name="as printed",
+                name="angle of the sector",
                 run=_RUN + "dual_product_angle",
-                routes=(
-                    "printed index",
-                    "recursion for beta",
-                ),
-                mutants=(Mutant(name="half the angle", given={"half": True}),),
-            ),
-            Check(
-                name="alpha_(i+1)",
-                run=_RUN + "dual_product_angle",
-                routes=(
-                    "corrected index",
-                    "recursion for beta",
-                ),
+                routes=("printed angle of the sector", "recursion for beta"),
                 mutants=(
-                    Mutant(name="alpha_i", given={"shift": 0}),
-                    Mutant(name="alpha_(i+2)", given={"shift": 2}),
-                    Mutant(name="half the angle", given={"shift": 1, "half": True}),
+                    Mutant(name="numbered as in (def:sectors)", given={"ahead": 0}),
+                    Mutant(name="the next angle", given={"ahead": 2}),
+                    Mutant(name="half the angle", given={"half": True}),
                 ),
-                form="corrected",
-                given={"shift": 1},
-            ),
-        ),
-        erratum=Erratum(
-            printed=r"$\sin(\beta_{i+1}-\beta_i)=\sin(\alpha_i)$",
-            corrected=r"$\sin(\beta_{i+1}-\beta_i)=\sin(\alpha_{i+1})$",
-            kind="misprint",
-            witness=(
-                r"$\beta_2-\beta_1=\alpha_2$ by definition; $\alpha_1=\pi/2$, "
-                r"$\alpha_2=\pi/6$: $\frac12\ne1$."
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"The passage from line 480 to 489 numbers the sector between $\mathbf "
-                r"s_i$ and $\mathbf s_{i+1}$ by $i$; (def:sectors), line 494 and the "
-                "boundary data of line 503 number it by $i+1$."
             ),
         ),
     ),
@@ -141,50 +119,27 @@ _DUAL_VECTORS = (
         section="3.2",
         where="line 489",
         kind="sentence",
-        statement=r"$\mathbf{s}^*_{i+1} \cdot \mathbf{s}_i > 0$, so the quotient that gives "
-        r"$(\xi_i, \eta_i)$ is defined.",
-        hypotheses=_ANGLES,
+        statement=r"$\sin\alpha_i > 0$, the last relation of the chain, so that the quotient "
+        r"that gives $(\xi_i, \eta_i)$ is defined.",
+        hypotheses=(
+            *_ANGLES,
+            _NUMBERING,
+            (
+                r"the sign of $\mathbf{s}^*_{i+1} \cdot \mathbf{s}_i$ itself belongs to the first "
+                "relation of the chain, an erratum of its own; its square is used here"
+            ),
+        ),
         rests_on=("3.2.dual-product", "3.2.dual-product-angle"),
         checks=(
             Check(
-                name="as printed",
+                name="sine and square of the product",
                 run=_RUN + "dual_product_sign",
-                routes=(
-                    "printed product",
-                    "half-angle",
-                ),
+                routes=("printed product", "half-angle"),
                 mutants=(
-                    Mutant(
-                        name="minus the product, angle 0 allowed",
-                        given={"sign": -1, "nonzero_angle": False},
-                    ),
+                    Mutant(name="angle 0 allowed", given={"nonzero_angle": False}),
+                    Mutant(name="angles beyond pi", given={"beyond": 2}),
                 ),
             ),
-            Check(
-                name="negative",
-                run=_RUN + "dual_product_sign",
-                routes=(
-                    "printed product",
-                    "half-angle",
-                ),
-                mutants=(
-                    Mutant(name="positive", given={"sign": 1}),
-                    Mutant(name="angle 0 allowed", given={"sign": -1, "nonzero_angle": False}),
-                ),
-                form="corrected",
-                given={"sign": -1},
-            ),
-        ),
-        erratum=Erratum(
-            printed=r"$\mathbf s^*_{i+1}\cdot\mathbf s_i>0$",
-            corrected=(
-                r"$\mathbf s^*_{i+1}\cdot\mathbf s_i=-\sin\alpha_{i+1}<0$, in particular "
-                "not $0$"
-            ),
-            kind="misprint",
-            witness=r"$\beta_i=0$, $\beta_{i+1}=\pi/2$: the product is $-1$.",
-            conclusion_survives=True,
-            remark="What is used, that the quotient is defined, survives.",
         ),
     ),
 )

@@ -40,7 +40,7 @@ _STARS = (
                     "directions of random stars",
                 ),
                 mutants=(
-                    Mutant(name="odd number of sectors", given={"odd_count": True}),
+                    Mutant(name="odd number of sectors", given={"odd_count": True}, near=True),
                     Mutant(name="three families", given={"families": 3}),
                 ),
             ),
@@ -80,7 +80,7 @@ _STARS = (
                     "strips and cones cut out by cross products, rational stars",
                 ),
                 mutants=(
-                    Mutant(name="a sector missing", given={"missing": 1}),
+                    Mutant(name="a sector missing", given={"missing": 1}, near=True),
                     Mutant(name="closed sectors", given={"closed": True}),
                 ),
             ),
@@ -118,7 +118,9 @@ _STARS = (
                     "strips and cones cut out by cross products, rational stars",
                 ),
                 mutants=(
-                    Mutant(name="rays and lengths i, i + 1", given={"first": 0, "second": 1}),
+                    Mutant(
+                        name="rays and lengths i, i + 1", given={"first": 0, "second": 1}, near=True
+                    ),
                     Mutant(name="outer sides included", given={"closed": True}),
                 ),
             ),
@@ -169,6 +171,7 @@ _STARS = (
                     Mutant(name="rays i, i + 1", given={"first": 0, "second": 1}),
                     Mutant(name="rays i - 1, i + 1", given={"second": 1}),
                 ),
+                part="cones",
             ),
             Check(
                 name="open, with common rays",
@@ -179,9 +182,12 @@ _STARS = (
                 ),
                 mutants=(
                     Mutant(name="closed sectors", given={"closed": True}),
-                    Mutant(name="next but one sector shares the ray", given={"apart": 2}),
-                    Mutant(name="a sector missing", given={"missing": 1}),
+                    Mutant(
+                        name="next but one sector shares the ray", given={"apart": 2}, near=True
+                    ),
+                    Mutant(name="a sector missing", given={"missing": 1}, near=True),
                 ),
+                part="open",
             ),
         ),
     ),

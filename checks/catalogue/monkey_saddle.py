@@ -109,7 +109,8 @@ _MONKEY_SADDLE = (
                     "values at rational points",
                 ),
                 mutants=(
-                    Mutant(name="functions that jump on the rays", given={"continuous": False}),
+                    Mutant(name="functions that jump by 1 on the rays", given={"jump": "1"}),
+                    Mutant(name="functions that jump by 1/100", given={"jump": "1/100"}, near=True),
                     Mutant(name="derivative not bounded", given={"bounded": False}),
                 ),
             ),
@@ -141,6 +142,7 @@ _MONKEY_SADDLE = (
                     Mutant(name="rays of curvature 1", given={"bend": 1}),
                     Mutant(name="angles exchanged", given={"exchanged": True}),
                 ),
+                part="derivative",
             ),
             Check(
                 name="Lipschitz",
@@ -150,9 +152,11 @@ _MONKEY_SADDLE = (
                     "values at rational points",
                 ),
                 mutants=(
-                    Mutant(name="functions that jump on the rays", given={"continuous": False}),
+                    Mutant(name="functions that jump by 1 on the rays", given={"jump": "1"}),
+                    Mutant(name="functions that jump by 1/100", given={"jump": "1/100"}, near=True),
                     Mutant(name="derivative not bounded", given={"bounded": False}),
                 ),
+                part="Lipschitz",
             ),
         ),
     ),
@@ -205,6 +209,7 @@ _MONKEY_SADDLE = (
                     Mutant(
                         name="sign of the coordinate across the ray kept", given={"signed": True}
                     ),
+                    Mutant(name="towards ray i + 2", given={"ahead": 2}, near=True),
                 ),
             ),
         ),
@@ -231,7 +236,9 @@ _MONKEY_SADDLE = (
                 ),
                 mutants=(
                     Mutant(name="sectors without one ray", given={"closed": False}),
-                    Mutant(name="functions that disagree", given={"agree": False}),
+                    Mutant(
+                        name="slopes that differ by 1/100", given={"differ": "1/100"}, near=True
+                    ),
                 ),
             ),
         ),

@@ -1,9 +1,10 @@
 """Claims of section 3.2, m-stars: coordinates of a sector, asymptotic coordinates."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Claim, Mutant
 
 _RUN = "checks.verify.dual_vectors:"
 _FUNCTIONS = "checks.verify.star_functions:"
+_PAIRS = "checks.verify.star_combinations:"
 
 _ANGLES = (
     r"$m \ge 2$ an integer, $\alpha_i \in (0, \pi)$ for $i = 1, \dots, 2m$",
@@ -17,6 +18,11 @@ _LENGTHS = (
     ),
 )
 _STAR = _ANGLES + _LENGTHS
+_NUMBERING = (
+    r"(read) as in line 480, $S_i$ is here the sector between $\mathbf{s}_i$ and "
+    r"$\mathbf{s}_{i+1}$, to which (def:sectors) gives the number $i + 1$, and $\alpha_i$ its "
+    "angle: one slip of numbering, told once in the erratum of line 480"
+)
 
 _COORDINATES = (
     Claim(
@@ -27,56 +33,21 @@ _COORDINATES = (
         statement=r"On the sector $S_i$, $(\xi_i, \eta_i) = (\mathbf{s}^*_{i+1} \cdot "
         r"\mathbf{s}_i)^{-1} (\mathbf{s}^*_{i+1} \cdot \mathbf{x},\, -\mathbf{s}^*_i \cdot "
         r"\mathbf{x})$.",
-        hypotheses=(*_STAR, r"$\mathbf{s}^*_j = \mathbf{e}_3 \times \mathbf{s}_j$"),
+        hypotheses=(*_STAR, _NUMBERING, r"$\mathbf{s}^*_j = \mathbf{e}_3 \times \mathbf{s}_j$"),
         rests_on=("3.2.star-coordinates", "3.2.dual-vectors"),
         checks=(
             Check(
-                name="on S_i, as printed",
+                name="coefficients of s_i and s_(i+1)",
                 run=_RUN + "dual_coordinates",
                 routes=(
                     "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
+                    "combination of an arbitrary ray and its neighbours",
                 ),
                 mutants=(
+                    Mutant(name="numbered as in (def:sectors)", given={"ahead": 0}),
                     Mutant(name="plus sign", given={"sign": 1}),
                     Mutant(name="exchanged", given={"exchanged": True}),
                 ),
-            ),
-            Check(
-                name="on S_(i+1)",
-                run=_RUN + "dual_coordinates",
-                routes=(
-                    "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
-                ),
-                mutants=(
-                    Mutant(name="on S_i", given={"shift": 0}),
-                    Mutant(name="plus sign", given={"shift": 1, "sign": 1}),
-                    Mutant(name="exchanged", given={"shift": 1, "exchanged": True}),
-                ),
-                form="corrected",
-                given={"shift": 1},
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"on the sector $S_i$, $(\xi_i,\eta_i)=\frac1{\mathbf "
-                r"s^*_{i+1}\cdot\mathbf s_i}(\mathbf s^*_{i+1}\cdot\mathbf x,-\mathbf "
-                r"s^*_i\cdot\mathbf x)$"
-            ),
-            corrected="the same on the sector $S_{i+1}$",
-            kind="misprint",
-            witness=(
-                r"Six angles $\pi/3$: $\mathbf s_0=\mathbf s_1-\mathbf s_2$. At $\mathbf "
-                r"x=\frac12\mathbf s_0\in S_1$ the definition gives "
-                r"$(\xi_1,\eta_1)=(0,-\frac12)$, the display $(\frac12,-\frac12)$."
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"The passage from line 480 to 489 numbers the sector between $\mathbf "
-                r"s_i$ and $\mathbf s_{i+1}$ by $i$; (def:sectors), line 494 and the "
-                "boundary data of line 503 number it by $i+1$. On $S_i$ the display "
-                r"needs $i-1$ for $i+1$ and $\eta_i<0$."
             ),
         ),
     ),
@@ -87,50 +58,20 @@ _COORDINATES = (
         kind="sentence",
         statement=r"The formulae with dual vectors extend $\xi_i, \eta_i$ to $\overline{S_i}$ as "
         r"Lipschitz functions.",
-        hypotheses=_STAR,
+        hypotheses=(*_STAR, _NUMBERING),
         rests_on=("3.2.dual-coordinates",),
         checks=(
             Check(
-                name="on the closure of S_i, as printed",
+                name="on the closed sector",
                 run=_RUN + "closure",
                 routes=(
                     "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
-                ),
-                mutants=(Mutant(name="half the squared gradient", given={"constant": 2}),),
-            ),
-            Check(
-                name="on the closure of S_(i+1)",
-                run=_RUN + "closure",
-                routes=(
-                    "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
+                    "combination of an arbitrary ray and its neighbours",
                 ),
                 mutants=(
-                    Mutant(name="on S_i", given={"shift": 0}),
-                    Mutant(name="twice the squared gradient", given={"shift": 1, "constant": 2}),
+                    Mutant(name="numbered as in (def:sectors)", given={"ahead": 0}),
+                    Mutant(name="twice the squared gradient", given={"constant": 2}),
                 ),
-                form="corrected",
-                given={"shift": 1},
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"these formulae extend the coordinates $\xi_i,\eta_i$ to the closure "
-                r"$\overline{S_i}$ as Lipschitz functions"
-            ),
-            corrected=r"to the closure $\overline{S_{i+1}}$",
-            kind="misprint",
-            witness=(
-                r"Six angles $\pi/3$, $\mathbf x=\frac12\mathbf s_0$ in $S_1$: "
-                r"$(\xi_1,\eta_1)=(0,-\frac12)$, the formulae give $(\frac12,-\frac12)$: "
-                "Lipschitz, but no extension of the coordinates."
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"The passage from line 480 to 489 numbers the sector between $\mathbf "
-                r"s_i$ and $\mathbf s_{i+1}$ by $i$; (def:sectors), line 494 and the "
-                "boundary data of line 503 number it by $i+1$."
             ),
         ),
     ),
@@ -165,56 +106,27 @@ _ASYMPTOTIC_COORDINATES = (
         statement=r"The asymptotic coordinates of the sector $S_i$ are $(u_i, v_i) = (\xi_i, "
         r"\eta_i)$ for even $i$ and $(u_i, v_i) = (\eta_i, \xi_i)$ for odd $i$.",
         labels=("eq:sector-coords",),
-        hypotheses=_STAR,
+        hypotheses=(
+            *_STAR,
+            _NUMBERING,
+            (
+                r"(used, not stated) read with (def:sectors) throughout, $v_i = \eta_i \le 0$ for "
+                r"even $i$, and $\xi_{i-1} = -\eta_i$ is meant, as lines 494 and 503 show"
+            ),
+        ),
         rests_on=("3.2.star-coordinates",),
         checks=(
             Check(
-                name="as printed",
+                name="along the even and the odd ray",
                 run=_RUN + "sector_coordinates",
                 routes=(
                     "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
-                ),
-                mutants=(Mutant(name="odd for even", given={"even": 1}),),
-            ),
-            Check(
-                name="xi_(i-1) for eta_i",
-                run=_RUN + "sector_coordinates",
-                routes=(
-                    "printed formula",
-                    "Cramer's rule in the plane of an arbitrary ray and its neighbours",
+                    "coefficients along the even and the odd ray of the sector",
                 ),
                 mutants=(
-                    Mutant(name="eta_i", given={"second": "eta"}),
-                    Mutant(name="odd for even", given={"second": "xi_before", "even": 1}),
+                    Mutant(name="numbered as in (def:sectors)", given={"ahead": 0}),
+                    Mutant(name="odd for even", given={"even": 1}),
                 ),
-                form="corrected",
-                given={"second": "xi_before"},
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"$(u_i,v_i)=(\xi_i,\eta_i)$ if $i$ is even, $(\eta_i,\xi_i)$ if $i$ is "
-                "odd"
-            ),
-            corrected=(
-                r"$(u_i,v_i)=(\xi_i,\xi_{i-1})$ if $i$ is even, $(\xi_{i-1},\xi_i)$ if "
-                r"$i$ is odd; here $\xi_{i-1}=-\eta_i$ on $S_i$"
-            ),
-            kind="misprint",
-            witness=(
-                r"On $S_i$ with its rays $\mathbf s_{i-1},\mathbf s_i$, $\mathbf "
-                r"x=\xi_i\mathbf s_i-\eta_i\mathbf s_{i-1}$ with $\eta_i\le0$: as "
-                r"printed $v_2=\eta_2=-1$ at $\mathbf x=\mathbf s_1+\mathbf s_2$, "
-                r"against $v_i\ge0$ and $\mathbf e_v=\mathbf s_{i-1}$ (line 503)."
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"Numbering the sector between $\mathbf s_i$ and $\mathbf s_{i+1}$ by "
-                "$i$, as line 480 does, gives the printed form but contradicts "
-                r"(def:sectors), $u_i=u_{i+1}$ on $S_i\cap S_{i+1}$ for even $i$ (line "
-                r"494) and $\mathbf e_u=\mathbf s_i$, $\mathbf e_v=\mathbf s_{i-1}$ "
-                "(line 503)."
             ),
         ),
     ),
@@ -229,6 +141,17 @@ _ASYMPTOTIC_COORDINATES = (
         rests_on=("eq:sector-coords", "3.2.star-neighbourhood"),
         checks=(
             Check(
+                name="arbitrary angles",
+                run=_PAIRS + "ray_coordinates",
+                routes=("stated values", "Cramer's rule in the plane of two rays"),
+                mutants=(
+                    Mutant(name="along v", given={"along": "v"}),
+                    Mutant(name="odd rays", given={"parity": 1}),
+                    Mutant(name="families exchanged", given={"even": 1}),
+                    Mutant(name="ray i + 1", given={"ahead": 1}),
+                ),
+            ),
+            Check(
                 name="on even rays",
                 run=_FUNCTIONS + "ray_coordinates",
                 routes=(
@@ -239,7 +162,7 @@ _ASYMPTOTIC_COORDINATES = (
                     Mutant(name="along v", given={"along": "v"}),
                     Mutant(name="odd rays", given={"parity": 1}),
                     Mutant(name="families exchanged", given={"even": 1}),
-                    Mutant(name="ray i + 1", given={"ahead": 1}),
+                    Mutant(name="ray i + 1", given={"ahead": 1}, near=True),
                 ),
             ),
         ),
@@ -255,6 +178,17 @@ _ASYMPTOTIC_COORDINATES = (
         rests_on=("eq:sector-coords", "3.2.star-neighbourhood"),
         checks=(
             Check(
+                name="arbitrary angles",
+                run=_PAIRS + "odd_ray_coordinates",
+                routes=("stated values", "Cramer's rule in the plane of two rays"),
+                mutants=(
+                    Mutant(name="along u", given={"along": "u"}),
+                    Mutant(name="even rays", given={"parity": 0}),
+                    Mutant(name="families exchanged", given={"even": 1}),
+                    Mutant(name="ray i + 1", given={"ahead": 1}),
+                ),
+            ),
+            Check(
                 name="on odd rays",
                 run=_FUNCTIONS + "odd_ray_coordinates",
                 routes=(
@@ -265,7 +199,7 @@ _ASYMPTOTIC_COORDINATES = (
                     Mutant(name="along u", given={"along": "u"}),
                     Mutant(name="even rays", given={"parity": 0}),
                     Mutant(name="families exchanged", given={"even": 1}),
-                    Mutant(name="ray i + 1", given={"ahead": 1}),
+                    Mutant(name="ray i + 1", given={"ahead": 1}, near=True),
                 ),
             ),
         ),

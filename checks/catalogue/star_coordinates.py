@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _RUN = "checks.verify.m_stars:"
+_PAIRS = "checks.verify.star_combinations:"
 _SETS = "checks.verify.star_sectors:"
 
 _ANGLES = (
@@ -17,6 +18,11 @@ _LENGTHS = (
     ),
 )
 _STAR = _ANGLES + _LENGTHS
+_NUMBERING = (
+    r"(read) as in line 480, $S_i$ is here the sector between $\mathbf{s}_i$ and "
+    r"$\mathbf{s}_{i+1}$, to which (def:sectors) gives the number $i + 1$, and $\alpha_i$ its "
+    "angle: one slip of numbering, told once in the erratum of line 480"
+)
 
 _COORDINATES = (
     Claim(
@@ -64,6 +70,23 @@ _COORDINATES = (
                 mutants=(Mutant(name="range of eta reversed", given={"range_swapped": True}),),
             ),
             Check(
+                name="as printed, arbitrary angles",
+                run=_PAIRS + "pair_sectors",
+                routes=("printed pair", "printed sectors and their lengths"),
+                mutants=(Mutant(name="plus sign for eta < 0", given={"sign": 1}),),
+            ),
+            Check(
+                name="sectors i and i + 1, arbitrary angles",
+                run=_PAIRS + "pair_sectors",
+                routes=("printed pair", "printed sectors and their lengths"),
+                mutants=(
+                    Mutant(name="sectors i - 1 and i", given={"shift": 0}),
+                    Mutant(name="plus sign for eta < 0", given={"shift": 1, "sign": 1}),
+                ),
+                form="corrected",
+                given={"shift": 1},
+            ),
+            Check(
                 name="sectors i and i + 1",
                 run=_SETS + "patch",
                 routes=(
@@ -71,7 +94,7 @@ _COORDINATES = (
                     "strips and cones cut out by cross products, rational stars",
                 ),
                 mutants=(
-                    Mutant(name="sectors i - 1 and i", given={"shift": 0}),
+                    Mutant(name="sectors i - 1 and i", given={"shift": 0}, near=True),
                     Mutant(name="sectors i + 1 and i + 2", given={"shift": 2}),
                     Mutant(name="range of eta reversed", given={"shift": 1, "range_swapped": True}),
                 ),
@@ -92,9 +115,11 @@ _COORDINATES = (
             ),
             conclusion_survives=True,
             remark=(
-                r"The passage from line 480 to 489 numbers the sector between $\mathbf "
-                r"s_i$ and $\mathbf s_{i+1}$ by $i$; (def:sectors), line 494 and the "
-                "boundary data of line 503 number it by $i+1$."
+                r"One slip of numbering, counted here alone: from here to (eq:sector-coords) the "
+                r"sector between $\mathbf s_i$ and $\mathbf s_{i+1}$ is called $S_i$ and its "
+                r"angle $\alpha_i$, and so read $S^i$ of line 485, line 487, $\sin\alpha_i$ and "
+                r"$\overline{S_i}$ of line 489 and (eq:sector-coords) are right; (def:sectors), "
+                "line 494, the boundary data of line 503 and (prop:assembly) number it $i+1$."
             ),
         ),
     ),
@@ -122,6 +147,7 @@ _COORDINATES = (
                     Mutant(name="plus sign for eta < 0", given={"sign": 1}),
                     Mutant(name="both points on one side", given={"opposite": True}),
                 ),
+                part="normal part",
             ),
             Check(
                 name="two constants",
@@ -133,7 +159,9 @@ _COORDINATES = (
                 mutants=(
                     Mutant(name="both sides by s_(i+1)", given={"folded": True}),
                     Mutant(name="lower constant 50 times better", given={"lower": 50}),
+                    Mutant(name="s_(i-2) for s_(i-1)", given={"behind": -2}, near=True),
                 ),
+                part="constants",
             ),
         ),
     ),
@@ -212,51 +240,20 @@ _COORDINATES = (
         kind="sentence",
         statement=r"The patches of $(\xi_i, \eta_i)$ and $(\xi_{i+1}, \eta_{i+1})$ overlap in the "
         r"interior of the sector printed $S^i$, read as $S_i$.",
-        hypotheses=_STAR,
+        hypotheses=(*_STAR, _NUMBERING),
         rests_on=("3.2.coordinate-patch",),
         checks=(
             Check(
-                name="as printed",
-                run=_SETS + "overlap",
-                routes=(
-                    "printed combination of two rays",
-                    "strips and cones cut out by cross products, rational stars",
-                ),
-                mutants=(Mutant(name="sector i + 2", given={"shift": 2}),),
-            ),
-            Check(
-                name="sector i + 1",
+                name="points of two patches",
                 run=_SETS + "overlap",
                 routes=(
                     "printed combination of two rays",
                     "strips and cones cut out by cross products, rational stars",
                 ),
                 mutants=(
-                    Mutant(name="sector i", given={"shift": 0}),
-                    Mutant(name="sector i + 2", given={"shift": 2}),
+                    Mutant(name="numbered as in (def:sectors)", given={"shift": 0}, near=True),
+                    Mutant(name="the sector after it", given={"shift": 2}, near=True),
                 ),
-                form="corrected",
-                given={"shift": 1},
-            ),
-        ),
-        erratum=Erratum(
-            printed=(
-                r"the patches of $(\xi_i,\eta_i)$ and $(\xi_{i+1},\eta_{i+1})$ overlap "
-                "on the interior of $S^i$"
-            ),
-            corrected="they overlap on the interior of $S_{i+1}$",
-            kind="misprint",
-            witness=(
-                r"Star with $\mathbf s_1=(\frac35,\frac45)$, $\mathbf s_2=(-1,0)$, "
-                r"$\mathbf s_3=(0,-1)$, $\mathbf s_4=\mathbf s_0=(1,0)$: "
-                r"$(-\frac15,\frac25)=\frac12\mathbf s_1+\frac12\mathbf s_2$ has both "
-                "pairs of coordinates for $i=1$, and lies in $S_2$."
-            ),
-            conclusion_survives=True,
-            remark=(
-                r"The passage from line 480 to 489 numbers the sector between $\mathbf "
-                r"s_i$ and $\mathbf s_{i+1}$ by $i$; (def:sectors), line 494 and the "
-                "boundary data of line 503 number it by $i+1$."
             ),
         ),
     ),

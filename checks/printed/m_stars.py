@@ -106,12 +106,6 @@ def dual_product_value(beta: Any, beta_next: Any, *, sign: int = 1) -> Any:
     return sign * sp.sin(beta_next - beta)
 
 
-def sector_coordinates(
-    i: int, xi: Any, eta: Any, xi_before: Any, *, second: str = "eta", even: int = 0
-) -> tuple[Any, Any]:
-    """Right side of (eq:sector-coords): (xi_i, eta_i) for even i, (eta_i, xi_i) for odd i.
-
-    xi_before: xi_(i-1), taken instead of eta_i where second is "xi_before".
-    """
-    other = {"eta": eta, "xi_before": xi_before}[second]
-    return (xi, other) if i % 2 == even else (other, xi)
+def sector_coordinates(i: int, xi: Any, eta: Any, *, even: int = 0) -> tuple[Any, Any]:
+    """Right side of (eq:sector-coords): (xi_i, eta_i) for even i, (eta_i, xi_i) for odd i."""
+    return (xi, eta) if i % 2 == even else (eta, xi)

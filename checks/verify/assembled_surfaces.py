@@ -67,7 +67,7 @@ def _curve(angle: float, curvature: Callable[[float], float], torsion: int, step
 def _error(
     steps: int, widened: float, jump: float, factor: float, torsion_odd: int, count: int
 ) -> float:
-    """Largest error of the star of order 3: sphere, angles on the edges, rays from both sides.
+    """Largest error of the star of order 3: sphere, closed form, angles and curves of the rays.
 
     count: of the sectors; if it is not 6, they have equal angles.
     """
@@ -89,6 +89,7 @@ def _error(
     worst = 0.0
     for i, sector in enumerate(sectors, 1):
         worst = max(worst, float(np.abs(np.linalg.norm(sector.normal, axis=2) - 1).max()))
+        worst = max(worst, float(np.abs(sector.first_u - sector.first_v).max()))
         before = i - 1 or len(sectors)
         even, odd = (i, before) if i % 2 == 0 else (before, i)
         for along, ray, sign in (("u", even, -sector.sigma), ("v", odd, sector.sigma)):
@@ -128,9 +129,9 @@ def example(
         2,
         digits=10,
         shown="six sectors of unequal angles between curves of variable curvature, Moutard "
-        "equation to second order: the normal's length, the angle on each edge against that of the "
-        "prescribed geodesic curvature, and every ray from both of its sectors against its curve "
-        "converge",
+        "equation to second order: the normal's length, both orders of integration of the "
+        "position, the angle on each edge against that of the prescribed geodesic curvature, and "
+        "every ray from both of its sectors against its curve converge",
     )
 
 

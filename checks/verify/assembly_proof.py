@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from math import pi, sqrt
+from math import pi, sin, sqrt
 from typing import Any
 
 import sympy as sp
@@ -13,7 +13,6 @@ from checks.verify.amsler_patches import E_1, axis, coefficient
 from checks.verify.assembly import (
     HIGH,
     ORDER,
-    assembly_frames,
     carried,
     corner_limit,
     frenet_frames_exist,
@@ -23,6 +22,7 @@ from checks.verify.assembly import (
     read,
     reduced,
 )
+from checks.verify.edge_frames import edge_frames
 from checks.verify.nets import minus
 from checks.verify.patched_sectors import continuous_derivative
 from checks.verify.recursion_disk import FloatRow, compared
@@ -31,11 +31,14 @@ from theory.goursat_angle import goursat_angle
 from theory.vectors import Vector, dot, scaled
 
 
-def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> Evidence:
-    """Derivative of r across a ray of curvature 1, in the plane of the star or as a graph.
+def smooth_across(
+    setting: Setting, *, chart: str = "tangent plane", extra: int = 0, turned: int = 0
+) -> Evidence:
+    """Derivative of r across a ray, as a graph or in the plane of the star.
 
-    chart: "star" or "tangent plane", the surface being a graph there near the corner, its gradient
-    (-N_1/N_3, -N_2/N_3); extra: difference of the curvatures prescribed on the ray.
+    chart: "tangent plane", the surface being a graph there near the corner, its gradient
+    (-N_1/N_3, -N_2/N_3), or "star", with a ray of curvature 1; extra: difference of the curvatures
+    prescribed on the ray; turned: angle between the first tangents of the two sectors.
     """
     if chart == "star":
         return continuous_derivative(setting, bend=1 + extra)
@@ -51,7 +54,7 @@ def smooth_across(setting: Setting, *, chart: str = "star", extra: int = 0) -> E
     return combined(
         {
             "projection": identities(setting, residuals, shown="invertible"),
-            "tangent planes": glue(setting, extra=extra),
+            "tangent planes": glue(setting, extra=extra, turned=turned),
         },
         shown="projected to the tangent plane every sector is a diffeomorphism near the corner, "
         "with the star's own derivative there, so that the surface is a graph near 0; r and the "
@@ -68,7 +71,7 @@ def proposition(
     turned: int = 0,
     straight_angle: bool = False,
 ) -> Evidence:
-    """All parts of (prop:assembly) for arbitrary angles and quadratic curvatures, as series.
+    """Parts of (prop:assembly): identities for any curvatures, series for quadratic ones.
 
     extra: difference of the curvatures on the two sides of a ray; torsion_v: of the odd rays;
     turned: angle left between the first tangents of two sectors on their ray; straight_angle:
@@ -78,9 +81,8 @@ def proposition(
         "corner": lambda: corner_limit(setting, straight_angle=straight_angle),
         "origin": lambda: origin(setting),
         "frames exist": lambda: frenet_frames_exist(setting),
-        "gluing": lambda: glue(setting, extra=extra, turned=turned),
-        "frames on the rays": lambda: assembly_frames(setting),
-        "graph": lambda: smooth_across(setting, chart="tangent plane"),
+        "frames on the rays": lambda: edge_frames(setting),
+        "gluing to a graph": lambda: smooth_across(setting, extra=extra, turned=turned),
         "sectors": lambda: goursat(setting, torsion_v=torsion_v),
     }
     parts: dict[str, Evidence] = {}
@@ -90,11 +92,11 @@ def proposition(
             break
     return combined(
         parts,
-        shown="for arbitrary angles and curvatures (existence by Picard's iteration and, textbook, "
-        "linear equations and smooth dependence; identities by series with symbols, to degree "
-        f"{ORDER} inside and {HIGH} on rays): every sector exists, its frames on the rays are the "
-        "given ones, position and normal agree on the rays, and |N_u x N_v| -> sin alpha_i > 0 "
-        "makes it a C^{1,1} graph near 0",
+        shown="identities for arbitrary functions give the frames on the rays, and what makes a "
+        "solution exist (Picard's steps, commuting linear equations; the existence itself, its "
+        "smoothness and the graph are textbook); for arbitrary angles and quadratic curvatures "
+        f"both routes to a sector agree to degree {ORDER}, position and normal on a ray from both "
+        f"sides to degree {HIGH}, and |N_u x N_v| -> sin alpha_i > 0",
     )
 
 
@@ -180,6 +182,12 @@ def lengths(setting: Setting, *, share: str = "1", rise: str = "1") -> Evidence:
 
     def rows() -> Iterator[FloatRow]:
         for alpha in (0.3, 1.0, pi / 2, 2.0, 2.8):
+            side = sqrt(float(Fraction(share)) * min(alpha, pi - alpha))
+            theta = goursat_angle(alpha, 0.0, 0.0, side, steps=40)
+            # sin is concave, so at least its lesser value at the ends, where the rise is positive.
+            floor = side**2 * min(sin(alpha), sin(alpha + side**2))
+            place = f"alpha = {alpha:.4g}, straight edges, l = {side:.4g}"
+            yield f"least rise, {place}", floor, float(theta[-1, -1]) - alpha
             for bound in (0.05, 0.5, 2.0, 8.0):
                 room = float(Fraction(share)) * min(alpha, pi - alpha)
                 length = sqrt(bound**2 + room) - bound
@@ -196,5 +204,6 @@ def lengths(setting: Setting, *, share: str = "1", rise: str = "1") -> Evidence:
         rows(),
         shown="with |kappa_i| <= M the sector is regular on the square of side l, 2 M l + l^2 = "
         "min(alpha, pi - alpha), as |theta_uv| <= 1 (by hand); seen for five angles, four "
-        "bounds and extreme constant curvatures",
+        "bounds and extreme constant curvatures; between straight edges theta rises at the far "
+        "corner by no less than l^2 times the least sine",
     )

@@ -1,4 +1,9 @@
-"""Identities of stars: dual vectors, the coordinates that they give, asymptotic coordinates."""
+"""Identities of stars: dual vectors, the coordinates that they give, asymptotic coordinates.
+
+From line 480 to (eq:sector-coords) the paper calls S_i the sector between s_i and s_(i+1), to which
+(def:sectors) gives the number i + 1. ahead: what is added to an index of those lines for the number
+in (def:sectors); 1 is the reading in which they are right, 0 takes the numbers as they stand.
+"""
 
 from typing import Any
 
@@ -8,7 +13,7 @@ from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities
 from checks.positivity import positivity
 from checks.printed import m_stars as printed
-from checks.verify.m_stars import ALPHA, ETA, RAY, XI, angle, components, gap, ray
+from checks.verify.m_stars import ALPHA, ETA, RAY, XI, angle, gap, ray
 from theory.vectors import cross, dot
 
 
@@ -37,37 +42,41 @@ def dual_product(setting: Setting, *, sign: int = 1) -> Evidence:
     )
 
 
-def dual_product_angle(setting: Setting, *, shift: int = 0, half: bool = False) -> Evidence:
-    """Sine of beta_(i+1) - beta_i against sin(alpha_(i+shift))."""
-    stated = ALPHA[RAY + shift] / 2 if half else ALPHA[RAY + shift]
+def dual_product_angle(setting: Setting, *, ahead: int = 1, half: bool = False) -> Evidence:
+    """Sine of beta_(i+1) - beta_i against that of alpha_i, the angle of the sector called S_i."""
+    stated = ALPHA[RAY + ahead] / 2 if half else ALPHA[RAY + ahead]
     return identities(
         setting,
         {"sine": sp.sin(angle(RAY + 1) - angle(RAY)) - sp.sin(stated)},
-        shown="beta_(i+1) - beta_i = alpha_(i+1) by the recursion for beta",
+        shown="beta_(i+1) - beta_i is the angle of the sector between s_i and s_(i+1)",
     )
 
 
-def dual_product_sign(setting: Setting, *, sign: int = 1, nonzero_angle: bool = True) -> Evidence:
-    """Sign of s*_(i+1) . s_i for alpha_(i+1) in (0, pi), with tan(alpha/2) = t > 0.
+def dual_product_sign(setting: Setting, *, beyond: int = 0, nonzero_angle: bool = True) -> Evidence:
+    """Sign of the sine of an angle 2 atan(t) in (0, pi), t > 0, and the square of the product.
 
-    nonzero_angle: whether 0 is excluded.
+    beyond: right angles added to the angle; nonzero_angle: whether 0 is excluded.
     """
     t = sp.Symbol("t", positive=True)
-    place = {ALPHA[RAY + 1]: 2 * sp.atan(t) if nonzero_angle else sp.Integer(0)}
-    value = sign * sp.expand_trig(sp.trigsimp(printed.dual_product(ray, RAY)).subs(place))
-    return positivity(
-        setting,
-        {f"{sign} times s*_(i+1) . s_i": sp.simplify(value)},
-        shown="s*_(i+1) . s_i = -2t/(1 + t^2) with t = tan(alpha_(i+1)/2): negative, so that the "
-        "quotient is defined",
+    turn = (2 * sp.atan(t) if nonzero_angle else sp.Integer(0)) + beyond * sp.pi / 2
+    squared = printed.dual_product(ray, RAY) ** 2 - sp.sin(ALPHA[RAY + 1]) ** 2
+    return combined(
+        {
+            "sine": positivity(
+                setting, {"sine of the angle": sp.expand_trig(sp.sin(turn))}, shown="positive"
+            ),
+            "square of the product": identities(setting, {"square": squared}, shown="square"),
+        },
+        shown="the sine of an angle in (0, pi) is 2t/(1 + t^2) > 0 with t = tan(angle/2), and "
+        "(s*_(i+1).s_i)^2 is its square: the product is not 0 and the quotient is defined",
     )
 
 
 def dual_coordinates(
-    setting: Setting, *, shift: int = 0, sign: int = -1, exchanged: bool = False
+    setting: Setting, *, ahead: int = 1, sign: int = -1, exchanged: bool = False
 ) -> Evidence:
-    """Display for (xi_i, eta_i) on the sector S_(i+shift), shift 0 as printed."""
-    if shift:
+    """Display for (xi_i, eta_i) on the sector called S_i, where eta_i >= 0 if ahead is 1."""
+    if ahead:
         x = printed.pair_point(ray, RAY, XI, ETA, positive=True)
         wanted = (XI, ETA)
     else:
@@ -79,16 +88,16 @@ def dual_coordinates(
         {"xi": stated[0] - wanted[0], "eta": stated[1] - wanted[1]},
         where=(sp.pi - ALPHA[1], sp.pi - ALPHA[2]),
         shown="the display gives the coefficients of s_i and s_(i+1), which are (xi_i, eta_i) on "
-        "S_(i+1), where eta_i >= 0",
+        "the sector between these rays, where eta_i >= 0",
     )
 
 
-def closure(setting: Setting, *, shift: int = 0, constant: int = 1, norm: bool = True) -> Evidence:
-    """The display on a closed sector: right there, linear, gradients of length 1/sin(alpha_(i+1)).
+def closure(setting: Setting, *, ahead: int = 1, constant: int = 1) -> Evidence:
+    """The display on a closed sector: right there, linear, gradients of length 1/sin of its angle.
 
-    shift: sector S_(i+shift); norm: whether the length is checked; constant: over the sine.
+    constant: over the squared sine.
     """
-    extends = dual_coordinates(setting, shift=shift)
+    extends = dual_coordinates(setting, ahead=ahead)
     x, y = sp.symbols("x y", real=True)
     stated = printed.dual_coordinates(ray, RAY, (x, y, sp.Integer(0)))
     squares = [
@@ -101,8 +110,8 @@ def closure(setting: Setting, *, shift: int = 0, constant: int = 1, norm: bool =
     )
     return combined(
         {"extends the coordinates": extends, "linear": linear},
-        shown="on the closure of S_(i+1) the display is linear in x, with gradients of length "
-        "1/sin(alpha_(i+1)): its Lipschitz constant",
+        shown="on the closed sector between s_i and s_(i+1) the display is linear in x, with "
+        "gradients of length 1/sin of its angle: its Lipschitz constant",
     )
 
 
@@ -132,25 +141,27 @@ def origin(setting: Setting, *, offset: int = 0) -> Evidence:
     )
 
 
-def sector_coordinates(setting: Setting, *, second: str = "eta", even: int = 0) -> Evidence:
-    """(eq:sector-coords) on S_i against the coefficients of x along the even and the odd ray.
+def sector_coordinates(setting: Setting, *, ahead: int = 1, even: int = 0) -> Evidence:
+    """(eq:sector-coords) against the coefficients of x along the even and the odd ray.
 
-    second: eta_i as printed, or xi_(i-1); even: parity that is called even.
+    even: parity that is called even.
     """
     c, d = sp.symbols("c d", positive=True)
     residuals: dict[str, Any] = {}
     for i in (1, 2):
-        x = printed.sector_point(ray, i, c, d)
-        height, xi = components(x, ray(i - 1), ray(i))
-        xi_before, _ = components(x, ray(i - 1), ray(i))
-        stated = printed.sector_coordinates(i, xi, -height, xi_before, second=second, even=even)
-        wanted = (d, c) if i % 2 == 0 else (c, d)
+        x = printed.sector_point(ray, i + ahead, c, d)
+        xi, eta = (c, d) if ahead else (d, -c)
+        residuals[f"coordinates of the pair, i = {i}"] = gap(
+            x, printed.pair_point(ray, i, xi, eta, positive=bool(ahead))
+        )
+        stated = printed.sector_coordinates(i, xi, eta, even=even)
+        wanted = (d, c) if (i + ahead) % 2 == 0 else (c, d)
         residuals[f"u, i = {i}"] = stated[0] - wanted[0]
         residuals[f"v, i = {i}"] = stated[1] - wanted[1]
     return identities(
         setting,
         residuals,
-        shown="on S_i the coefficient of x along the ray of even index is u_i >= 0, along that of "
-        "odd index v_i >= 0, as the ranges of the next sentence and the directions (e_u, e_v) of "
-        "the boundary data ask",
+        shown="on the sector between s_i and s_(i+1) the coefficient of x along the ray of even "
+        "index is u_i >= 0, along that of odd index v_i >= 0, as the ranges of the next sentence "
+        "and the directions (e_u, e_v) of the boundary data ask",
     )

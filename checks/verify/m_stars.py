@@ -36,8 +36,8 @@ def components(x: Vector, first: Vector, second: Vector) -> tuple[Any, Any]:
     """Coefficients (a, b) of the plane vector x = a first + b second, by Cramer's rule."""
     area = first[0] * second[1] - first[1] * second[0]
     return (
-        sp.trigsimp((x[0] * second[1] - x[1] * second[0]) / area),
-        sp.trigsimp((first[0] * x[1] - first[1] * x[0]) / area),
+        (x[0] * second[1] - x[1] * second[0]) / area,
+        (first[0] * x[1] - first[1] * x[0]) / area,
     )
 
 

@@ -27,6 +27,7 @@ from theory.star import Point, Star, point
 from theory.vectors import Vector, added, cross, derivative, dot, scaled
 
 T = sp.Symbol("t", positive=True)
+_SHARES = (Fraction(0), Fraction(1, 3), Fraction(4, 5), Fraction(1), Fraction(11, 10))
 
 
 def directions(
@@ -167,6 +168,7 @@ def regular_rectangle(setting: Setting, *, share: str = "9/10", slope: str = "1"
         shown="|N_u x N_v| = sin theta with alpha <= theta <= alpha + u v, as 0 <= theta_uv <= 1 "
         "(by hand), so that it is positive on every rectangle with c d < pi - alpha; seen on balls "
         "of Painleve III for alpha = pi/12 to 11 pi/12",
+        sampled=True,
     )
 
 
@@ -182,12 +184,16 @@ def _union_point(star: Star, sides: list[tuple[Fraction, Fraction]], x: Point, r
 
 
 def patched_star(
-    setting: Setting, *, rays_included: bool = False, same_lengths: bool = True
+    setting: Setting,
+    *,
+    rays_included: bool = False,
+    same_lengths: bool = True,
+    longer: str = "1",
 ) -> Evidence:
     """Union of the rectangles J_i against the star of the lengths to which they are cut.
 
     rays_included: whether J_i holds its two rays, 0 <= u_i; same_lengths: whether neighbours are
-    cut to the lesser length on their common ray.
+    cut to the lesser length on their common ray; longer: factor of the lengths to which they are.
     """
     rng = setting.random()
 
@@ -198,11 +204,12 @@ def patched_star(
                      for _ in star.rays]  # fmt: skip
             lengths = [min(given[i - 1][1], given[i % n][0]) for i in star.rays]
             cut = [(lengths[i - 2], lengths[i - 1]) for i in star.rays]
-            sides = cut if same_lengths else given
+            sides = [(a * Fraction(longer), b * Fraction(longer)) for a, b in cut]
+            sides = sides if same_lengths else given
             wanted = Star(directions=star.directions, lengths=tuple(lengths))
             for i in star.rays:
-                for p in (0, Fraction(1, 3), Fraction(4, 5), Fraction(11, 10)):
-                    for q in (0, Fraction(1, 3), Fraction(4, 5), Fraction(11, 10)):
+                for p in _SHARES:
+                    for q in _SHARES:
                         c, d = p * lengths[i - 2], q * lengths[i - 1]
                         x = point(c, star.ray(i - 1), d, star.ray(i))
                         inside = _union_point(star, sides, x, rays_included)

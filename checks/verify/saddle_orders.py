@@ -1,6 +1,6 @@
 """Order of saddleness: definition, leading forms, asymptotic directions at all kinds of points."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
@@ -8,10 +8,11 @@ import sympy as sp
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, identities, statement
 from checks.printed import assembly as printed
+from checks.verify import sampled
 from checks.verify.amsler_patches import on_sphere
 from checks.verify.assembly import C, S, carried, moutard_normal, ray_values, read
 from checks.verify.nets import general_nets
-from checks.verify.sampled import Decided, decided
+from checks.verify.sampled import Decided
 from checks.zero import vanishes
 from theory import sector_series as series
 from theory import star_saddle
@@ -34,6 +35,11 @@ def _stars() -> Iterator[tuple[Any, ...]]:
         yield tuple(sp.pi * sp.Rational(a) for a in angles)
 
 
+def _decided(rows: Iterable[Decided], *, shown: str) -> Evidence:
+    """Counts on stars, exact: that the signs alternate on any star is the leading form."""
+    return sampled.decided(rows, shown=shown, grade="exact")
+
+
 def order_of_saddleness(setting: Setting, *, per_order: int = 2, offset: int = 0) -> Evidence:
     """Half the number of sectors against the numbers of sides above and below the tangent plane."""
     del setting
@@ -47,7 +53,7 @@ def order_of_saddleness(setting: Setting, *, per_order: int = 2, offset: int = 0
                 f"angles {angles}: order {order}, sectors above and below {sides}",
             )
 
-    return decided(
+    return _decided(
         rows(),
         shown="a star of 2m sectors of unequal angles has m sectors above the tangent plane and m "
         "below: m is the number of undulations, 2 for a smooth saddle",
@@ -129,7 +135,7 @@ def directions_and_order(
                 f"angles {angles}: {zeros} asymptotic directions, m_p = {above}",
             )
 
-    return decided(
+    return _decided(
         rows(),
         shown="over stars of the orders 2 to 5 with unequal angles the form vanishes along the 2m "
         "rays only, and is above the plane on m sectors: 2 m_p asymptotic directions leave p",
@@ -157,7 +163,7 @@ def order_elsewhere(setting: Setting, *, expected: int = 2, through: bool = True
 
     return combined(
         {
-            "counts": decided(rows(), shown="counts"),
+            "counts": _decided(rows(), shown="counts"),
             "angles on both sides of a ray": identities(setting, _angle_sums(), shown="angles"),
         },
         shown="inside a sector and on a ray four asymptotic directions leave, of angles that add "
@@ -197,7 +203,7 @@ def windings(setting: Setting, *, offset: int = 0, sense: int = 1) -> Evidence:
             expected = 1 - printed.order_of_saddleness(len(angles)) + offset
             yield found == expected, f"angles {angles}: {found} turns, not {expected}"
 
-    return decided(
+    return _decided(
         rows(),
         shown="over stars of the orders 2 to 5 the gradient turns 1 - m times: J_p = -1 at the "
         "centre of the saddle, -2 of the monkey saddle",

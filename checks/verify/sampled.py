@@ -2,13 +2,17 @@
 
 from collections.abc import Iterable
 
-from checks.evidence import Evidence
+from checks.evidence import Evidence, Grade
 
 Decided = tuple[bool, str]
 
 
-def decided(rows: Iterable[Decided], *, shown: str) -> Evidence:
-    """Evidence that every proposition is true; each row holds its truth and what refutes it."""
+def decided(rows: Iterable[Decided], *, shown: str, grade: Grade = "numeric") -> Evidence:
+    """Evidence that every proposition is true; each row holds its truth and what refutes it.
+
+    grade: of a pass; numeric where the rows are samples of what the claim says of all stars or all
+    points, exact where they exhaust it. A refutation is exact.
+    """
     tried = 0
     for true, witness in rows:
         tried += 1
@@ -17,7 +21,8 @@ def decided(rows: Iterable[Decided], *, shown: str) -> Evidence:
                 outcome="fail", grade="exact", witness=witness, tried=tried, met=tried, shown=shown
             )
     if not tried:
-        return Evidence(outcome="undecided", grade="exact", tried=0, met=0, shown=shown)
+        return Evidence(outcome="undecided", grade=grade, tried=0, met=0, shown=shown)
+    residual = "0" if grade == "exact" else ""
     return Evidence(
-        outcome="pass", grade="exact", residual="0", tried=tried, met=tried, shown=shown
+        outcome="pass", grade=grade, residual=residual, tried=tried, met=tried, shown=shown
     )

@@ -89,10 +89,11 @@ def rays(setting: Setting, *, odd_count: bool = False, families: int = 2) -> Evi
     )
 
 
-def not_one_to_one(setting: Setting, *, signed: bool = False) -> Evidence:
+def not_one_to_one(setting: Setting, *, signed: bool = False, ahead: int = 1) -> Evidence:
     """Two points with the same (u, v) on either side of each ray, as near as one likes.
 
-    signed: whether the coordinate across the ray changes its sign there, like eta.
+    signed: whether the coordinate across the ray changes its sign there, like eta; ahead: the
+    second point is taken towards ray i + ahead.
     """
 
     def rows() -> Iterator[Decided]:
@@ -101,7 +102,7 @@ def not_one_to_one(setting: Setting, *, signed: bool = False) -> Evidence:
                 for small in (Fraction(1, 10), Fraction(1, 10**6)):
                     t = star.length(i) / 2 if small > Fraction(1, 100) else small
                     x = point(t, star.ray(i), small, star.ray(i - 1))
-                    y = point(t, star.ray(i), small, star.ray(i + 1))
+                    y = point(t, star.ray(i), small, star.ray(i + ahead))
                     here, there = _asymptotic(star, i, x, 0), _asymptotic(star, i + 1, y, 0)
                     if signed:
                         there = (there[0], -there[1]) if i % 2 == 0 else (-there[0], there[1])
@@ -117,11 +118,11 @@ def not_one_to_one(setting: Setting, *, signed: bool = False) -> Evidence:
     )
 
 
-def pasting(setting: Setting, *, closed: bool = True, agree: bool = True) -> Evidence:
+def pasting(setting: Setting, *, closed: bool = True, differ: str = "0") -> Evidence:
     """Piecewise linear functions of (u, v) that agree on common rays, near the points of rays.
 
     closed: whether each sector holds both of its rays, so that the functions must agree on both,
-    and not only the first; agree: whether they agree at all.
+    and not only the first; differ: difference of their slopes along the rays that they share.
     """
     rng = setting.random()
 
@@ -140,8 +141,9 @@ def pasting(setting: Setting, *, closed: bool = True, agree: bool = True) -> Evi
                         y = point(Fraction(1), x, gap, star.ray(side))
                         k = (j - 1) % n + 1
                         first, second = star.widths(k, y)
-                        seam = others if not agree or (not closed and j == i) else slopes
+                        seam = others if not closed and j == i else slopes
                         own, before = seam[k - 1], slopes[k - 2]
+                        own += Fraction(differ) if j == i else 0
                         values.append((first * before + second * own) / star.sine(k))
                     jump = abs(values[0] - values[1])
                     yield jump <= 100 * gap, f"jump {float(jump):.6g}: {at(star, x)}"
@@ -154,14 +156,14 @@ def pasting(setting: Setting, *, closed: bool = True, agree: bool = True) -> Evi
     )
 
 
-def lipschitz(setting: Setting, *, continuous: bool = True, bounded: bool = True) -> Evidence:
+def lipschitz(setting: Setting, *, jump: str = "0", bounded: bool = True) -> Evidence:
     """Quotients of continuous functions, linear in (u, v) on each sector, at all pairs of points.
 
     Slopes at most 1 along both rays, so at most 2/s against distances in a sector, s the least
     sine. For two points of neighbouring sectors a path along their pair of coordinates is longer
     than their distance by at most sqrt(2) sqrt((1 + 1/s)^2 + 1/s^2); of others, a path through the
-    origin by at most 2/c, c the least sine of the angle or 1. continuous: whether the functions
-    agree on the rays; bounded: whether the slope is, else the square root of the distance is added.
+    origin by at most 2/c, c the least sine of the angle or 1. jump: of the functions on the rays;
+    bounded: whether the slope is, else the square root of the distance is added.
     """
     rng = setting.random()
 
@@ -169,7 +171,7 @@ def lipschitz(setting: Setting, *, continuous: bool = True, bounded: bool = True
         for star in stars(setting):
             n = len(star.rays)
             slopes = [Fraction(rng.randint(-8, 8), 8) for _ in range(n)]
-            shifts = [Fraction(0 if continuous else k % 2) for k in range(n)]
+            shifts = [Fraction(jump) * (k % 2) for k in range(n)]
             found = []
             for i in star.rays:
                 for p in (*SHARES, Fraction(1, 10**8)):

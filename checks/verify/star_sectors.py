@@ -155,11 +155,11 @@ def _common(star: Star, i: int, apart: int) -> Iterator[Decided]:
     yield star.sectors_of(ORIGIN) == tuple(star.rays), "the origin is not in every sector"
 
 
-def _pair_point(star: Star, i: int, xi: Fraction, eta: Fraction) -> Point:
+def _pair_point(star: Star, i: int, xi: Fraction, eta: Fraction, *, behind: int = -1) -> Point:
     def s(j: int) -> Vector:
         return _vector(star.ray(j))
 
-    return _plane(printed.pair_point(s, i, xi, eta, positive=eta >= 0))
+    return _plane(printed.pair_point(s, i, xi, eta, positive=eta >= 0, behind=behind))
 
 
 def coordinates(star: Star, i: int) -> Iterator[tuple[Fraction, Fraction]]:
@@ -226,8 +226,11 @@ def _covered(star: Star, i: int, j: int) -> Iterator[Decided]:
             yield found, f"no coordinates (xi_{i}, eta_{i}): {at(star, x)}"
 
 
-def overlap(setting: Setting, *, shift: int = 0) -> Evidence:
-    """Points that the pairs i and i + 1 both cover; shift: the sector S_(i+shift) is stated."""
+def overlap(setting: Setting, *, shift: int = 1) -> Evidence:
+    """Points that the pairs i and i + 1 both cover, and the interior of the sector called S_i.
+
+    shift: its number in (def:sectors) is i + shift; 1 in the numbering of line 480.
+    """
 
     def rows() -> Iterator[Decided]:
         for star in stars(setting):
@@ -238,8 +241,9 @@ def overlap(setting: Setting, *, shift: int = 0) -> Evidence:
                     x = _pair_point(star, i, xi, eta)
                     after = i % n + 1
                     both = _in_interior(star, after, after % n + 1, x)
+                    inside = (eta > 0 and stated == after) or (eta < 0 and stated == i)
                     yield (
-                        both == star.inside_sector(stated, x),
+                        both == inside,
                         (
                             f"patches {i}, {i + 1} {'both hold' if both else 'do not both hold'} "
                             f"{at(star, x)}"
@@ -248,17 +252,20 @@ def overlap(setting: Setting, *, shift: int = 0) -> Evidence:
 
     return decided(
         rows(), shown="of the points of patch i, those that patch i + 1 holds are the interior "
-        "points of S_(i+1)",
+        "points of the sector between s_i and s_(i+1)",
     )  # fmt: skip
 
 
-def bi_lipschitz(setting: Setting, *, lower: int = 1, folded: bool = False) -> Evidence:
+def bi_lipschitz(
+    setting: Setting, *, lower: int = 1, folded: bool = False, behind: int = -1
+) -> Evidence:
     """Distances in (xi, eta) and in the plane, squared, with constants from the least sine s.
 
     Across the ray x - y = D s_i + a s_(i+1) - h s_(i-1) with a, h >= 0: its part normal to s_i is
     a sin + h sin >= s (a + h), and |D| <= |x - y| + a + h. So |x - y| <= |D| + a + h and
     D^2 + (a + h)^2 <= ((1 + 1/s)^2 + 1/s^2) |x - y|^2. lower: factor of the last constant's
-    inverse; folded: whether both sides of the ray use s_(i+1).
+    inverse; folded: whether both sides of the ray use s_(i+1); behind: i + behind is the index of
+    the ray used where eta < 0.
     """
 
     def rows() -> Iterator[Decided]:
@@ -270,7 +277,7 @@ def bi_lipschitz(setting: Setting, *, lower: int = 1, folded: bool = False) -> E
                 for p in found:
                     for q in found:
                         x, y = (
-                            _pair_point(star, i, xi, abs(eta) if folded else eta)
+                            _pair_point(star, i, xi, abs(eta) if folded else eta, behind=behind)
                             for xi, eta in (p, q)
                         )
                         before = (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2
