@@ -111,6 +111,22 @@ def test_the_distortion_tends_to_one_on_small_disks():
         assert abs(normal_distortion.relative_distortion(cell) - 1) < arb("1e-11")
 
 
+@pytest.mark.parametrize(("rho", "s"), [(0.5, 1.0), (0.5, 0.2), (0.3, 4.0)])
+def test_the_distortion_is_that_of_the_chart_or_of_the_projection(rho: float, s: float):
+    radius, delta = rho * s, rho * s / 3
+    # ds = |dx|/(1 - |x/2|^2), |x/2| = tanh(d/2); the projection from the hemisphere at k R.
+    chart, shadow = 1 / (1 - np.tanh(radius / 2) ** 2), 1 / np.cos(rho)
+    distortion = max(chart, shadow)
+    with ctx.workprec(64):
+        cell = normal_distortion.Cell(rho=arb(rho), s=arb(s))
+        found = float(normal_distortion.relative_distortion(cell))
+        needed = float(normal_distortion.radius_needed(cell))
+        collar = float(normal_distortion.collar_constant(cell, arb(delta)))
+    assert found == pytest.approx(distortion, rel=1e-12)
+    assert needed >= 2 * distortion**2 * (radius / 2) / np.tanh(radius / 2)
+    assert collar <= 2 * np.tanh(delta / 2) / delta / distortion
+
+
 @pytest.mark.parametrize("curvature", [1, -1])
 def test_half_turns_keep_the_edges_and_the_space_form(curvature: int):
     lines = [half_turn_net.broken_geodesic(np.full(20, a), 0.02, curvature) for a in (0.1, 1.4)]
