@@ -88,8 +88,8 @@ CLAIMS: tuple[Claim, ...] = (
                 r"$0.7\pi$, and two more at each of its neighbours, where the surface's angles add "
                 r"up to about $1.895\pi$. A new rhombus has $\tan\frac A2\tan\frac B2 = "
                 r"\cos\delta$ for its angles at $q$ and at the neighbour, so $B < 0.106\pi$ needs "
-                r"$A > 0.89\pi$ on both sides, but only $1.3\pi$ are missing at $q$. Both segments at "
-                r"$q$ have one edge, so no choice of $l_1, l_2$, of the three angles or of the "
+                r"$A > 0.89\pi$ on both sides, but only $1.3\pi$ are missing at $q$. Both segments "
+                r"at $q$ have one edge, so no choice of $l_1, l_2$, of the three angles or of the "
                 r"curves helps"
             ),
             conclusion_survives=True,

@@ -38,4 +38,8 @@ def forced_sums(setting: Setting, *, least: str = "-1") -> Evidence:
     middle = sp.expand(printed.interior_sum((d + 1) / 2))
     if sp.expand(upper - lower) != 4 or sp.expand(middle - lower) != 2:
         wrong = wrong or f"inside a segment the sum is between {lower} and {upper}, not {middle}"
-    return statement(not wrong, shown="angles in (-pi, 0) leave one sum", witness=wrong)
+    return statement(
+        not wrong,
+        shown="angles in (-pi, 0) leave one sum at new vertices and inside segments",
+        witness=wrong,
+    )
