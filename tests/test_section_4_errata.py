@@ -5,8 +5,17 @@ from math import acos, atan, cos, pi, sin, tan
 
 import numpy as np
 import pytest
+from flint import ctx
 
-from checks.verify.surgery_samples import between_two_slots, half_monkey_star, samples, slotted
+from checks.verify.discrete_surgery import _broken
+from checks.verify.spherical_samples import balled, reverses_orientation
+from checks.verify.surgery_samples import (
+    between_two_slots,
+    half_monkey_star,
+    operated,
+    samples,
+    slotted,
+)
 from checks.verify.vertex_angles import net_defect
 
 
@@ -26,15 +35,22 @@ def determinant(a, b, c):
 
 
 def test_the_matrix_without_its_factor_two():
-    n = np.array([1.0, 0.0, 0.0])
-    s = n + n
+    n, s = np.array([1.0, 0.0, 0.0]), np.array([1.2, 0.8, 0.8])
     printed = (np.outer(s, s) / (s @ s) - np.eye(3)) @ n
-    assert np.abs(printed).max() == 0
-    assert np.abs((2 * np.outer(s, s) / (s @ s) - np.eye(3)) @ n - n).max() == 0
+    assert 17 * printed == pytest.approx([-8, 6, 6])
+    assert printed @ printed == pytest.approx(8 / 17)
+    right = (2 * np.outer(s, s) / (s @ s) - np.eye(3)) @ n
+    assert 17 * right == pytest.approx([1, 12, 12])
 
 
 def test_the_half_turn_is_no_reflection():
-    assert half_turned([1, 0, 0], [1, 0, 0], [0, 1, 0]) == [0, 1, 0]
+    one = [Fraction(3, 5), Fraction(4, 5), 0]
+    half_turn = half_turned([1, 0, 0], one, [0, 0, 1])
+    assert half_turn == [Fraction(n, 25) for n in (-16, 12, 15)]
+    normal = [Fraction(4, 5), Fraction(-3, 5), 0]
+    assert sum(a * b for a, b in zip(normal, one, strict=True)) == 0
+    mirrored = [e - 2 * normal[0] * n for e, n in zip([1, 0, 0], normal, strict=True)]
+    assert mirrored == [Fraction(n, 25) for n in (-7, 24, 0)]
 
 
 def test_the_rhombus_that_keeps_its_orientation():
@@ -51,6 +67,41 @@ def test_the_rhombus_that_keeps_its_orientation():
     assert determinant(first[0], first[1], second[1]) == Fraction(-16, 25)
 
 
+def test_geodesics_at_right_angles_turn_a_rhombus_over_at_the_eighth_small_edge():
+    delta = acos(99 / 101)
+    u = [[cos(k * delta), sin(k * delta), 0.0] for k in range(9)]
+    nodes = [[[x, 0.0, -y] for x, y, _ in u]]
+    for k in range(1, 9):
+        nodes.append([u[k]])
+        for j in range(1, 9):
+            known = nodes[k - 1][j - 1], nodes[k][j - 1], nodes[k - 1][j]
+            nodes[k].append(half_turned(*known))
+    turns = [determinant(nodes[k][k], nodes[k + 1][k], nodes[k][k + 1]) for k in range(8)]
+    assert [turn < 0 for turn in turns] == [True] * 7 + [False]
+
+
+def test_curves_that_fold_back_turn_all_rhombi_at_their_second_edges_over():
+    c, s = Fraction(99, 101), Fraction(20, 101)
+    start, one, other = [1, 0, 0], [c, s, 0], [c, 0, -s]
+    far = half_turned(start, one, other)
+    assert determinant(start, one, other) < 0
+    assert half_turned(one, start, far) == other
+    assert determinant(one, start, far) > 0
+
+
+def test_surgery_that_gives_two_far_ends_the_degree_five():
+    net = between_two_slots(at_corner=0.5, beside=0.4)
+    assert net_defect(net) == ""
+    with ctx.workprec(192):
+        old = balled(net)
+        found = operated(old, 0, (1, 1))
+        assert _broken(old, found, reverses_orientation(found.net)) == ""
+    ends = found.places[[1, 3]]
+    assert net.complex.degree[[1, 3]].tolist() == [4, 4]
+    assert found.net.complex.degree[ends].tolist() == [5, 5]
+    assert found.net.complex.is_boundary[ends].all()
+
+
 def far_angle(angle: float) -> float:
     """Angle of the surface at the far end of a rhombus with cos delta = 99/101."""
     delta = acos(99 / 101)
@@ -65,10 +116,11 @@ def far_angle(angle: float) -> float:
 
 
 def test_the_angles_between_two_slots():
-    least = 2 * atan((99 / 101) / tan(0.05 * pi))
-    assert far_angle(least) == pytest.approx(0.1 * pi, rel=1e-9)
+    assert far_angle(0.7 * pi) + 2 * 0.8 * pi == pytest.approx(1.895 * pi, abs=0.001)
+    least = 2 * atan((99 / 101) / tan(0.053 * pi))
+    assert far_angle(least) == pytest.approx(0.106 * pi, rel=1e-9)
     assert least > 0.89 * pi
-    assert far_angle(0.88 * pi) > 0.1 * pi
+    assert far_angle(0.88 * pi) > 0.106 * pi
     assert 2 * least > 2 * pi - 0.7 * pi
 
 

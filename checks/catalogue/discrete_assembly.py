@@ -200,6 +200,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="any-curves", given={"data": "any"}),
                     Mutant(name="winding-once-less", given={"winding": 1}, near=True),
                     Mutant(name="longer-edges", given={"longer": True}, near=True),
+                    Mutant(name="angles-below-minus-pi", given={"least": "-3/2"}),
                 ),
                 tier="full",
             ),
@@ -220,8 +221,10 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             conclusion_survives=True,
             remark=(
-                r"also $\gamma_i(2) = \gamma_i(0)$ is allowed by (iii); the rhombi of geodesics "
-                r"degenerate at the singular edge of the surface"
+                r"for small $\delta$ it is a matter of length: with $\cos\delta = \frac{99}{101}$ "
+                r"the same geodesics need $l_i = 8$. The witness leaves a net on a smaller "
+                r"complex, but $\gamma_i(2) = \gamma_i(0)$, which (iii) allows, leaves none that "
+                r"contains the curves: the rhombi at their second edges keep the orientation"
             ),
         ),
     ),

@@ -17,7 +17,8 @@ CLAIMS: tuple[Claim, ...] = (
             r"The grid $M_k = \{0,\epsilon,2\epsilon,\ldots,i_k\epsilon\} \times "
             r"\{\epsilon,2\epsilon,\ldots,j_k\epsilon\} \subset \epsilon\mathbb Z^2$ is included "
             r"in the face $F_k$ by $\lambda_k : M_k \to F_k$, the inverse of $\psi_k : F_k \to "
-            r"[0,u_k] \times [0,v_k]$; it reaches all four sides of the rectangle."
+            r"[0,u_k] \times [0,v_k]$; it contains the discrete curves defined with it, so it "
+            r"reaches all four sides of the rectangle."
         ),
         hypotheses=(
             r"$i_k\epsilon = u_k$, $j_k\epsilon = v_k$",
@@ -51,17 +52,18 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed=(
-                r" "
-                r"$\{0,\epsilon,\ldots,i_k\epsilon\}\times\{\epsilon,2\epsilon,\ldots,j_k\epsilon\}$"
+                r"$\{0,\epsilon,\ldots,i_k\epsilon\}\times"
+                r"\{\epsilon,2\epsilon,\ldots,j_k\epsilon\}$"
             ),
             corrected=r"$\{0,\epsilon,\ldots,i_k\epsilon\}\times\{0,\epsilon,\ldots,j_k\epsilon\}$",
             kind="misprint",
             witness=(
                 r"$i_k = j_k = 1$: the printed set has the two nodes $(0,\epsilon)$ and "
-                r"$(\epsilon,\epsilon)$, none on the side $v = 0$ and no quad"
+                r"$(\epsilon,\epsilon)$, no quad and no node on the side $v = 0$, but the discrete "
+                r"$v$-curves, $0 \le j \le j_k$, start there"
             ),
             conclusion_survives=True,
-            remark=r"the discrete $v$-curves two lines below start at $j = 0$",
+            remark=r"a slip of the pen: the curves of the next line and the gluing use $j = 0$",
         ),
     ),
     Claim(

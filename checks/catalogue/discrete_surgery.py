@@ -67,6 +67,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(
                         name="one-percent-longer-edges", near=True, given={"stretch": "101/100"}
                     ),
+                    Mutant(name="angles-below-minus-pi", given={"least": "-3/2"}),
                 ),
                 tier="full",
             ),
@@ -85,15 +86,19 @@ CLAIMS: tuple[Claim, ...] = (
             witness=(
                 r"five rhombi with $\cos\delta = \frac{99}{101}$: one at $q$, of angle about "
                 r"$0.7\pi$, and two more at each of its neighbours, where the surface's angles add "
-                r"up to about $1.9\pi$. A new rhombus has $\tan\frac A2\tan\frac B2 = \cos\delta$ "
-                r"for its angles at $q$ and at the neighbour, so $B < 0.1\pi$ needs $A > 0.89\pi$ "
-                r"on both sides, but only $1.3\pi$ are missing at $q$"
+                r"up to about $1.895\pi$. A new rhombus has $\tan\frac A2\tan\frac B2 = "
+                r"\cos\delta$ for its angles at $q$ and at the neighbour, so $B < 0.106\pi$ needs "
+                r"$A > 0.89\pi$ on both sides, but only $1.3\pi$ are missing at $q$. Both segments "
+                r"at $q$ have one edge, so no choice of $l_1, l_2$, of the three angles or of the "
+                r"curves helps"
             ),
             conclusion_survives=True,
             remark=(
-                r"the failure is at concave corners; for equal angles, as in the proof, three "
-                r"rhombi of angle $0.6\pi$ around a vertex are enough: at its neighbour $q$ the "
-                r"new one adds about $0.46\pi$ to $1.8\pi$"
+                r"only the far ends are counted here; that long curves turn rhombi over is the "
+                r"slip of lemma (lem:discrete_assembly). It fails where a far end is a concave "
+                r"corner; for equal angles, as in the proof, three rhombi of angle $0.6\pi$ around "
+                r"a vertex are enough: surgery at a neighbour $q$ adds about $0.46\pi$ to the "
+                r"$1.8\pi$ there"
             ),
         ),
     ),
@@ -356,7 +361,13 @@ CLAIMS: tuple[Claim, ...] = (
                 r"$6$, $m = 3$"
             ),
             conclusion_survives=True,
-            remark=r"the new net meets (eq:unramified) nevertheless",
+            remark=(
+                r"the new net meets (eq:unramified) nevertheless. Branch points are interior, as "
+                r"in definition (def:branched_immersion); if boundary vertices of degree above $4$ "
+                r"counted too, the centre would be an old one, but then surgery makes one of every "
+                r"far end of degree $4$: five rhombi, of angle $0.5\pi$ at $q$ and two of $0.4\pi$ "
+                r"more at each neighbour, have two such ends, and the new net meets (eq:unramified)"
+            ),
         ),
     ),
 )

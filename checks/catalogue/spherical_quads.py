@@ -194,8 +194,9 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="constant",
             witness=(
-                r"$N_0 = N_1 = N_2$: the matrix of rank one is $N_0N_0^T$, so the printed right "
-                r"side is $0$ and no unit vector"
+                r"$N_0 = (1,0,0)$, $N_1 = \frac15(3,4,0)$, $N_2 = \frac15(3,0,4)$: the printed "
+                r"right side is $\frac1{17}(-8,6,6)$, of squared length $\frac8{17}$; with the $2$ "
+                r"it is $\frac1{17}(1,12,12)$"
             ),
             conclusion_survives=True,
             remark=r"the root $\nu$ two lines above has the factor $2$",
@@ -279,8 +280,9 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="hypothesis",
             witness=(
-                r"$N_0 = N_1 = (1,0,0)$, $N_2 = (0,1,0)$: the reflection leaves $N_0$ where it is, "
-                r"but (eq:householder), with its factor $2$, gives $(0,1,0)$"
+                r"$N_0 = (1,0,0)$, $N_1 = \frac15(3,4,0)$, $N_2 = (0,0,1)$: the reflection moves "
+                r"$N_0$ to $\frac1{25}(-7,24,0)$, but (eq:householder), with its factor $2$, gives "
+                r"$\frac1{25}(-16,12,15)$"
             ),
             conclusion_survives=True,
             remark=(

@@ -13,6 +13,7 @@ from checks.printed import spherical_nets as printed
 from checks.printed import spherical_quads
 from checks.verify.discrete_k_surfaces import three_parameters
 from checks.verify.discrete_lelieuvre import minus
+from checks.verify.forced_sums import forced_sums
 from checks.verify.householder import roots
 from checks.verify.spherical_samples import ray, reverses_orientation
 from checks.verify.vertex_angles import net_defect
@@ -78,12 +79,18 @@ def _right_angles() -> list[Curve]:
 
 
 def assembly(
-    setting: Setting, *, data: str = "any", winding: int = 0, longer: bool = False
+    setting: Setting,
+    *,
+    data: str = "any",
+    winding: int = 0,
+    longer: bool = False,
+    least: str = "-1",
 ) -> Evidence:
     """lem:discrete_assembly: whether (i) to (iii) give a spherical Chebyshev net and a surface.
 
     data: "any", or "reversing" for those whose rhombi all reverse the orientation; winding: added
-    to that of the directions, against (ii); longer: the last curve has longer edges, against (iii).
+    to that of the directions, against (ii); longer: the last curve has longer edges, against (iii);
+    least: of the angles of a rhombus in `forced_sums`.
     """
     tried = met = 0
     samples = list(_samples())
@@ -103,15 +110,35 @@ def assembly(
             return Evidence(
                 outcome="fail", grade="exact", witness=f"{name}: {defect}", tried=tried, met=met
             )
-    return Evidence(
-        outcome="pass" if met else "undecided",
-        grade="exact",
-        residual="0",
-        tried=tried,
-        met=met,
-        shown=f"{met} of {tried} sets of 4, 6 and 8 rational curves have rhombi that all reverse "
-        "the orientation; each of these gives a spherical Chebyshev net and a surface that closes",
+    # The sums of angles are enclosed in balls, the sides and the surface are exact.
+    instances = Evidence(
+        outcome="pass" if met else "undecided", grade="certified", tried=tried, met=met
     )
+    return combined(
+        {
+            "instances": instances,
+            "degrees": _star_degrees(),
+            "sums": forced_sums(setting, least=least),
+        },
+        shown="where all rhombi reverse the orientation, angles in (-pi, 0) leave one sum at "
+        "vertices of degree 4 and keep the range at degrees 2 and 3, and five stars have no others "
+        f"but the centre; {met} of {tried} sets of 4, 6 and 8 rational curves reverse it, and "
+        "these give a spherical Chebyshev net and a surface that closes",
+    )
+
+
+def _star_degrees() -> Evidence:
+    """Whether all vertices of stars but the centre have degree 4, at the boundary 2 or 3."""
+    wrong = ""
+    for lengths in _LENGTHS:
+        complex_ = star(list(lengths))
+        inside = np.flatnonzero(~complex_.is_boundary)
+        allowed = {0: [len(lengths)]}
+        for v in range(complex_.vertex_count):
+            degrees = allowed.get(v, [4] if v in inside else [2, 3])
+            if complex_.degree[v] not in degrees:
+                wrong = wrong or f"l = {lengths}: vertex {v} has degree {complex_.degree[v]}"
+    return statement(not wrong, shown="degrees of stars", witness=wrong)
 
 
 def _closure(complex_: AsymptoticComplex, known: set[int]) -> set[int]:
@@ -190,9 +217,9 @@ def unique(setting: Setting, *, missing: int = 0, larger: bool = False) -> Evide
             "two roots": roots(setting),
             "surface": three_parameters(setting),
         },
-        shown="in stars one edge larger the quad rule gets from the curves to the vertices of the "
-        "rectangles J_i and no further; each quad leaves the antipode as the only other root, and "
-        "r is unique up to a translation",
+        shown="in five stars one edge larger the quad rule gets from the curves to the vertices of "
+        "the rectangles J_i and no further; each quad leaves the antipode as the only other root, "
+        "and r is unique up to a translation",
     )
 
 

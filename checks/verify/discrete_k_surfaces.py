@@ -158,7 +158,7 @@ def closing(setting: Setting, *, spoiled: str = "") -> Evidence:
     """Whether the Lelieuvre equations close on rational stars of order 2 and 3, by two trees.
 
     The vertices are summed along a breadth first and a depth first tree from different origins.
-    spoiled: a "normal" turned by a small rotation, or a "family", u and v exchanged in one face.
+    spoiled: a "normal" turned by a small rotation, or a "family", one edge taken for the other.
     """
     found: dict[str, Any] = {}
     for order in _ORDERS:

@@ -7,9 +7,10 @@ import numpy as np
 from flint import arb, ctx
 
 from checks.evidence import Evidence, Setting
-from checks.exact import identities
+from checks.exact import combined, identities
 from checks.printed import spherical_nets as printed
 from checks.verify.discrete_lelieuvre import minus
+from checks.verify.forced_sums import forced_sums
 from checks.verify.spherical_samples import ball, ball_angles, balled, reverses_orientation
 from checks.verify.surgery_samples import (
     Surgery,
@@ -58,16 +59,17 @@ def _small(x: arb) -> bool:
     return bool(abs(x) < _TINY)
 
 
-def _ranges_broken(found: Surgery, *, but_corner: bool = False) -> str:
-    """First vertex at which (eq:unramified) is broken or not decided, or nothing.
+def _far_ends(net: SphericalNet, at: int, found: Surgery) -> list[int]:
+    """Far ends of the two segments of a corner, as they are numbered after surgery."""
+    ends = (boundary_segment(net.complex, at, along_u=u)[-1] for u in (True, False))
+    return [int(found.places[v]) for v in ends]
 
-    but_corner: the corner itself is left out.
-    """
+
+def _ranges_broken(found: Surgery, vertices: list[int] | None = None) -> str:
+    """First of these vertices, or of all, at which (eq:unramified) is not seen to hold."""
     complex_ = found.net.complex
     sums = angle_sums(complex_, ball_angles(found.net)) / arb.pi()
-    for v in range(complex_.vertex_count):
-        if but_corner and v == found.corner:
-            continue
+    for v in range(complex_.vertex_count) if vertices is None else vertices:
         degree = int(complex_.degree[v])
         if complex_.is_boundary[v]:
             fine = printed.in_boundary_range(sums[v], degree)
@@ -144,12 +146,14 @@ def _obstruction(net: SphericalNet, at: int) -> str:
     return ""
 
 
-def surgery(setting: Setting, *, far_ends: str = "any", stretch: str = "1") -> Evidence:
+def surgery(
+    setting: Setting, *, far_ends: str = "any", stretch: str = "1", least: str = "-1"
+) -> Evidence:
     """The lemma: three rectangles at any corner give a spherical Chebyshev net and a surface.
 
     far_ends: "any" corner of any net, or "free": only surgeries after which all rhombi reverse the
-    orientation and all vertices but the corner, the far ends of both segments among them, meet
-    (eq:unramified); stretch: factor of the edges of the new curves.
+    orientation and the far ends of both segments meet (eq:unramified); stretch: factor of the
+    edges of the new curves; least: of the angles of a rhombus in `forced_sums`.
     """
     relation = rhombus_angles(setting)
     if relation.outcome != "pass":
@@ -161,24 +165,23 @@ def surgery(setting: Setting, *, far_ends: str = "any", stretch: str = "1") -> E
             old = balled(net)
             found = operated(old, at, lengths, stretch=stretch)
             reversing = reverses_orientation(found.net)
-            ends_free = reversing and not _ranges_broken(found, but_corner=True)
+            ends_free = reversing and not _ranges_broken(found, _far_ends(net, at, found))
             if far_ends == "free" and not ends_free:
                 continue
             met += 1
             if broken := _broken(old, found, reversing):
                 why = _obstruction(old, at) or broken
                 return _failure(f"{name}, corner {at}, l = {lengths}: {why}", tried, met)
-    if not met:
-        return Evidence(outcome="undecided", grade="certified", tried=tried, met=0)
-    return Evidence(
-        outcome="pass",
-        grade="certified",
-        digits=36,
-        tried=tried,
-        met=met,
-        shown=f"in {met} of {tried} surgeries on nine nets the rhombi reverse the orientation and "
-        "the far ends meet (eq:unramified); each gives a net with sides of one length, the old "
-        "normals, the corner inside and a surface that closes, in balls",
+    instances = Evidence(
+        outcome="pass" if met else "undecided", grade="certified", tried=tried, met=met
+    )
+    return combined(
+        {"instances": instances, "sums": forced_sums(setting, least=least)},
+        shown="angles in (-pi, 0) leave one sum at new vertices and inside the segments, for "
+        f"every odd degree; in {met} of {tried} surgeries on nine nets the rhombi reverse the "
+        "orientation and the far ends meet (eq:unramified), and in balls these give "
+        "(eq:unramified) everywhere, sides of one length, the old normals, the corner inside and a "
+        "surface that closes",
     )
 
 
@@ -236,7 +239,7 @@ def outer_curves(setting: Setting, *, always_u: bool = False) -> Evidence:
     return _over_surgeries(
         wrong,
         "at all corners of six nets three sectors of angle alpha fill the exterior from one "
-        "segment to the other; at half of them from gamma_v to gamma_u",
+        "segment to the other, from gamma_v to gamma_u where the exterior begins at gamma_v",
         always_u=always_u,
     )
 

@@ -12,9 +12,15 @@ from checks.verify.unit_vectors import Corner, corner, quad_symbols, symbols
 from discrete.isometries import half_turn, reflection
 from discrete.quad_rule import close_quad
 from discrete.space_forms import dot_s2
-from theory.vectors import added, cross, dot, scaled
+from theory.vectors import Vector, added, cross, dot, scaled
 
 NU = sp.Symbol("nu", real=True)
+_E: Vector = (sp.Integer(1), sp.Integer(0), sp.Integer(0))
+
+
+def _at(x: str, y: str, z: str) -> Vector:
+    """Rational vector."""
+    return (sp.Rational(x), sp.Rational(y), sp.Rational(z))
 
 
 def moutard_net(setting: Setting, *, sign: int = -1, antipodal: bool = False) -> Evidence:
@@ -117,12 +123,14 @@ def householder(setting: Setting, *, factor: str = "1", identity: int = -1) -> E
         n_0, n_1, n_2, factor=sp.Rational(factor), identity=identity
     )
     nu = spherical_quads.root(n_0, n_1, n_2)
-    e = (sp.Integer(1), sp.Integer(0), sp.Integer(0))
-    same = spherical_quads.householder(e, e, e, factor=sp.Rational(factor), identity=identity)
+    rhombus = (_E, _at("3/5", "4/5", "0"), _at("3/5", "0", "4/5"))
+    far = spherical_quads.householder(*rhombus, factor=sp.Rational(factor), identity=identity)
     return identities(
         setting,
         {
-            "|N_12|^2 - 1 for N_0 = N_1 = N_2": dot(same, same) - 1,
+            "|N_12|^2 - 1 for N_0 = (1, 0, 0), N_1 = (3/5, 4/5, 0), N_2 = (3/5, 0, 4/5)": (
+                dot(far, far) - 1
+            ),
             "the root nu_2": minus(stated, spherical_quads.moutard(n_0, n_1, n_2, nu)),
             "shipped half-turn": minus(stated, close_quad(dot_s2, n_0, n_1, n_2)),
             "|N_12|^2 - |N_0|^2": dot(stated, stated) - dot(n_0, n_0),
@@ -169,10 +177,10 @@ def reflection_in_plane(
     """
     found = {}
     if not equal_edges:
-        e_1, e_2 = (sp.Integer(1), sp.Integer(0), sp.Integer(0)), (0, sp.Integer(1), 0)
-        image = reflection(dot_s2, cross(e_1, e_2), e_1)
-        far = spherical_quads.moutard(e_1, e_1, e_2, spherical_quads.root(e_1, e_1, e_2))
-        found["N_0 = N_1 = (1, 0, 0), N_2 = (0, 1, 0)"] = minus(far, image)
+        n_1, n_2 = _at("3/5", "4/5", "0"), _at("0", "0", "1")
+        image = reflection(dot_s2, cross(n_1, n_2), _E)
+        far = spherical_quads.moutard(_E, n_1, n_2, spherical_quads.root(_E, n_1, n_2))
+        found["N_0 = (1, 0, 0), N_1 = (3/5, 4/5, 0), N_2 = (0, 0, 1)"] = minus(far, image)
     c = _equal_edges() if equal_edges else corner()
     normal = cross(c.n_1, c.n_2) if mirror == "plane" else added(c.n_1, c.n_2)
     nu = spherical_quads.root(c.n_0, c.n_1, c.n_2)

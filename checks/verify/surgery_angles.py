@@ -16,7 +16,7 @@ def deficit(setting: Setting, *, high: str = "3", most: str = "3") -> Evidence:
     """Whether the missing angle is in (0, 3 pi), for every sum in the range of (eq:unramified).
 
     high: in delta = (high - d) pi - sum; most: the upper bound tested, in pi. Ends of the range,
-    delta being linear in the sum, for every d; and the corners of the samples.
+    delta being linear in the sum, for every d.
     """
     d = sp.Symbol("d", positive=True)
     lower, upper = printed.boundary_range(d)

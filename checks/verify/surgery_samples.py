@@ -68,19 +68,21 @@ def _neighbour(p: Vector, known: Vector, angle: float) -> Vector:
     )
 
 
-def between_two_slots() -> SphericalNet:
+def between_two_slots(*, at_corner: float = 0.7, beside: float = 0.8) -> SphericalNet:
     """Five rhombi: one with the corner q = 0, and two more at each of its neighbours 1 and 3.
 
-    The surface has the angle 0.7 pi at q, and about 1.9 pi at the vertices 1 and 3.
+    at_corner, beside: angles of the surface in the first and in the four others, in pi; by default
+    those at the vertices 1 and 3 add up to about 1.9 pi.
     """
     q, c, s = POLE, *circle(EDGE)
     a = (c, s, sp.Integer(0))
-    b = _neighbour(q, a, -0.3 * pi)
+    b = _neighbour(q, a, -(1 - at_corner) * pi)
     far = close_quad(dot_s2, q, a, b)
-    g_1 = _neighbour(a, far, 0.2 * pi)
-    g_2 = _neighbour(a, g_1, 0.2 * pi)
-    h_1 = _neighbour(b, far, -0.2 * pi)
-    h_2 = _neighbour(b, h_1, -0.2 * pi)
+    turn = (1 - beside) * pi
+    g_1 = _neighbour(a, far, turn)
+    g_2 = _neighbour(a, g_1, turn)
+    h_1 = _neighbour(b, far, -turn)
+    h_2 = _neighbour(b, h_1, -turn)
     ends = [
         close_quad(dot_s2, a, g_1, far),
         close_quad(dot_s2, a, g_1, g_2),
