@@ -4,13 +4,13 @@ One transcendental step a quad dominates, so the loop runs row by row. The angle
 generic body on floats up to the last places of sine and arc tangent.
 """
 
-import inspect
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
 from discrete.angle_advance import fill_angles, half_tangents
+from discrete.compilation import Kernel, compiled, stamp_of
 from discrete.parallelograms import half_defect
 from discrete.space_forms import SpaceForm
 
@@ -20,7 +20,7 @@ def float_half_defect(q: float, angle: float) -> float:
     return float(half_defect(math, q, angle))
 
 
-def kernel_body(stamp: str) -> Callable[..., None]:
+def kernel_body(stamp: str) -> Kernel:
     """Uncompiled kernel; stamp: text that renews the code which numba has stored."""
 
     def fill(
@@ -33,17 +33,9 @@ def kernel_body(stamp: str) -> Callable[..., None]:
 
 
 @cache
-def compiled() -> Callable[..., None]:
-    """Compiled kernel, from numba's store where nothing has changed since."""
-    from numba import njit
-    from numba.extending import register_jitable
-
-    bodies = (half_defect, float_half_defect, fill_angles)
-    for body in bodies:
-        register_jitable(error_model="numpy")(body)
-    stamp = "".join(inspect.getsource(body) for body in bodies)
-    found: Callable[..., None] = njit(cache=True, error_model="numpy")(kernel_body(stamp))
-    return found
+def kernel() -> Kernel:
+    """Compiled kernel."""
+    return compiled(kernel_body(stamp_of(half_defect, float_half_defect, fill_angles)))
 
 
 def filled_angles(
@@ -60,5 +52,5 @@ def filled_angles(
     u, v = half_tangents(space, math, u_lengths, v_lengths)
     angles, defects = (np.empty((len(u), len(v))) for _ in range(2))
     as_array = [np.asarray(values, dtype=float) for values in (u, v, u_turns, v_turns)]
-    compiled()(*as_array[:2], float(corner_angle), *as_array[2:], angles, defects)
+    kernel()(*as_array[:2], float(corner_angle), *as_array[2:], angles, defects)
     return angles, defects

@@ -98,12 +98,11 @@ def sine_and_cosine_part(
 ) -> tuple[Scalar, Scalar]:
     """Sine and cosine of the angle at p from p1 to p2, times the same positive factor.
 
-    Both are free of cancellation for short edges: <t1, t2> = <d1, d2> - K <d1, d1> <d2, d2>/4 for
-    the chords d.
+    From the tangent parts of the chords: no cancellation for short edges, nor for one short edge
+    beside a long one.
     """
-    d1, d2 = difference(p1, p), difference(p2, p)
-    bend = space.dot(d1, d1) * space.dot(d2, d2) / 4
-    return determinant(p, d1, d2), space.dot(d1, d2) - space.curvature * bend
+    t1, t2 = tangent_part(space, p, p1), tangent_part(space, p, p2)
+    return determinant(p, t1, t2), space.dot(t1, t2)
 
 
 def angle_at(space: SpaceForm, functions: Any, p: Triple, p1: Triple, p2: Triple) -> Scalar:

@@ -6,9 +6,10 @@ compiled float64, with the same roundings.
 """
 
 from collections.abc import Sequence
+from math import isfinite
 
-from discrete.errors import AntipodalError, NotFiniteError, ShapeError
-from discrete.quad_rule import close_quad, require_on_space
+from discrete.errors import NotFiniteError, OffSpaceError, ShapeError
+from discrete.quad_rule import close_quad, require_not_antipodal, require_on_space
 from discrete.space_forms import Product, SpaceForm, Triple
 
 #: Residual <p, p> - K at which a net filled in float64 has lost its digits; on H^2 rounding alone
@@ -56,19 +57,32 @@ def require_sides(space: SpaceForm, first: Sequence[Triple], second: Sequence[Tr
 def require_node(space: SpaceForm, p: Triple, i: int, j: int) -> None:
     """Refuse a node of a filled float net that is not on the space any more.
 
-    Raises AntipodalError where the half-turn broke down, NotFiniteError for an overflow on H^2.
+    Raises NotFiniteError for NaN or an overflow, OffSpaceError where the digits are lost.
     """
     if abs(space.residual(p)) <= LOST:  # false for NaN
         return
-    if space.curvature > 0:
-        raise AntipodalError(
-            f"node ({i}, {j}): its neighbours ({i - 1}, {j}) and ({i}, {j - 1}) are antipodal, or "
-            "so nearly that no digit is left; take shorter edges or stop the net before"
-        )
-    raise NotFiniteError(
-        f"node ({i}, {j}) has left the hyperboloid: {tuple(p)}; so far from (1, 0, 0) the net "
-        "needs discrete.angle_advance"
+    error = OffSpaceError if all(isfinite(entry) for entry in p) else NotFiniteError
+    raise error(
+        f"node ({i}, {j}) = {tuple(p)} has left {space.name}; hyperbolic nets that reach so "
+        "far from (1, 0, 0) need discrete.angle_advance"
     )
+
+
+def require_nodes(
+    space: SpaceForm, nodes: Sequence[Sequence[Triple]], *, first_row: int = 0
+) -> None:
+    """Refuse a filled float net where one node has left the space or two neighbours are antipodal.
+
+    first_row: number of the first row given. Raises NotFiniteError, OffSpaceError, AntipodalError,
+    naming the first node at fault.
+    """
+    for k, row in enumerate(nodes):
+        i = first_row + k
+        for j, p in enumerate(row):
+            require_node(space, p, i, j)
+            if k > 0 and j > 0:
+                names = f"({i - 1}, {j}) and ({i}, {j - 1})"
+                require_not_antipodal(space, nodes[k - 1][j], row[j - 1], names)
 
 
 def filled_rectangle(
@@ -76,11 +90,9 @@ def filled_rectangle(
 ) -> list[list[Triple]]:
     """Nodes [i][j] of the float net on a user's sides, every vertex checked.
 
-    Raises ShapeError, NotFiniteError, OffSpaceError, AntipodalError.
+    Raises ShapeError, NotFiniteError, OffSpaceError, AntipodalError, naming the vertex.
     """
     require_sides(space, first, second)
     nodes = fill(space.dot, first, second)
-    for i, row in enumerate(nodes):
-        for j, p in enumerate(row):
-            require_node(space, p, i, j)
+    require_nodes(space, nodes)
     return nodes

@@ -7,14 +7,13 @@ steps are kept and then written out along the rows. The half-turn is `close_quad
 reordering or contraction: the nodes are those of `goursat_fill.fill` bit by bit.
 """
 
-import inspect
-from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from discrete.compilation import Kernel, compiled, stamp_of
 from discrete.errors import ShapeError
-from discrete.goursat_fill import LOST, require_node, require_sides
-from discrete.quad_rule import close_quad
+from discrete.goursat_fill import LOST, require_nodes, require_sides
+from discrete.quad_rule import NEARLY_ANTIPODAL, close_quad
 from discrete.space_forms import Product, SpaceForm
 
 ROWS = 32
@@ -53,7 +52,7 @@ def write_rows(nodes: Any, steps: Any, top: int, rows: int, start: int) -> None:
                 row[shift + s] = steps[s + 2, c, r + 1]
 
 
-def kernel_body(dot: Product, stamp: str) -> Callable[[Any, Any], None]:
+def kernel_body(dot: Product, stamp: str) -> Kernel:
     """Uncompiled kernel of one space; stamp: text that renews the code which numba has stored."""
 
     def fill(nodes: Any, steps: Any) -> None:
@@ -76,22 +75,10 @@ def kernel_body(dot: Product, stamp: str) -> Callable[[Any, Any], None]:
 
 
 @cache
-def compiled(space: SpaceForm) -> Callable[[Any, Any], None]:
-    """Compiled kernel of one space, from numba's store where nothing has changed since.
-
-    numba watches only this file: the sources of the rule go into the stamp.
-    """
-    from numba import njit
-    from numba.extending import register_jitable
-
-    bodies = (space.dot, close_quad, advance_lanes, take_sides, write_rows)
-    for body in bodies:
-        register_jitable(error_model="numpy")(body)
-    stamp = "".join(inspect.getsource(body) for body in bodies)
-    found: Callable[[Any, Any], None] = njit(cache=True, error_model="numpy")(
-        kernel_body(space.dot, stamp)
-    )
-    return found
+def kernel(space: SpaceForm) -> Kernel:
+    """Compiled kernel of one space."""
+    stamp = stamp_of(space.dot, close_quad, advance_lanes, take_sides, write_rows)
+    return compiled(kernel_body(space.dot, stamp))
 
 
 def fill_nodes(space: SpaceForm, nodes: Any) -> None:
@@ -104,7 +91,7 @@ def fill_nodes(space: SpaceForm, nodes: Any) -> None:
 
     if nodes.ndim != 3 or nodes.shape[0] != 3 or nodes.dtype != np.float64:
         raise ShapeError(f"expected float64 of shape (3, n, m), not {nodes.dtype} {nodes.shape}")
-    compiled(space)(nodes, np.empty((STEPS + 2, 3, ROWS + 1)))
+    kernel(space)(nodes, np.empty((STEPS + 2, 3, ROWS + 1)))
 
 
 def filled_array(space: SpaceForm, first: Any, second: Any, *, out: Any = None) -> Any:
@@ -131,13 +118,16 @@ def filled_array(space: SpaceForm, first: Any, second: Any, *, out: Any = None) 
 
 
 def _require_nodes(space: SpaceForm, nodes: Any) -> None:
-    """Refuse a filled net with a node that has left the space, naming the first such node."""
+    """Refuse a filled net that `goursat_fill.require_nodes` refuses, row by row."""
     import numpy as np
 
-    for i in range(nodes.shape[1]):
-        p = nodes[:, i]
-        with np.errstate(invalid="ignore", over="ignore"):
-            kept = np.abs(space.residual(p)) <= LOST
-        if not kept.all():
-            j = int(np.argmin(kept))
-            require_node(space, tuple(p[:, j].tolist()), i, j)
+    with np.errstate(invalid="ignore", over="ignore"):
+        for i in range(nodes.shape[1]):
+            kept = bool((np.abs(space.residual(nodes[:, i])) <= LOST).all())
+            if i > 0 and space.curvature > 0:
+                s = nodes[:, i - 1, 1:] + nodes[:, i, :-1]
+                kept = kept and bool((space.dot(s, s) >= NEARLY_ANTIPODAL).all())
+            if not kept:
+                top = max(0, i - 1)
+                rows = nodes[:, top : i + 1].transpose(1, 2, 0).tolist()
+                require_nodes(space, rows, first_row=top)

@@ -12,8 +12,8 @@ from discrete.space_forms import Product, SpaceForm, Triple
 
 #: Residual <p, p> - K, relative to p0^2, that float64 input may have.
 ON_SPACE = 1e-8
-#: Square of |p1 + p2| below which float64 leaves no digit of the half-turn.
-NEARLY_ANTIPODAL = 1e-24
+#: Square of |p1 + p2| below which float64 leaves less than half its digits to the half-turn.
+NEARLY_ANTIPODAL = 1e-16
 
 
 def close_quad(dot: Product, p: Triple, p1: Triple, p2: Triple) -> Triple:
@@ -43,6 +43,19 @@ def require_on_space(space: SpaceForm, p: Triple, name: str) -> None:
         )
 
 
+def require_not_antipodal(space: SpaceForm, p1: Triple, p2: Triple, names: str) -> None:
+    """Refuse float vertices about whose midpoint no half-turn is determined.
+
+    names: what to call the two. Raises AntipodalError; never on H^2.
+    """
+    s = (p1[0] + p2[0], p1[1] + p2[1], p1[2] + p2[2])
+    if space.curvature > 0 and space.dot(s, s) < NEARLY_ANTIPODAL:
+        raise AntipodalError(
+            f"vertices {names} are antipodal, or nearly: {tuple(p1)} and {tuple(p2)}; no half-turn "
+            "that exchanges them is singled out: shorten the edges, or stop the net before"
+        )
+
+
 def closed_quad(space: SpaceForm, p: Triple, p1: Triple, p2: Triple) -> Triple:
     """Vertex that closes a Chebyshev quad whose float vertices come from a user.
 
@@ -50,10 +63,5 @@ def closed_quad(space: SpaceForm, p: Triple, p1: Triple, p2: Triple) -> Triple:
     """
     for name, vertex in (("p", p), ("p1", p1), ("p2", p2)):
         require_on_space(space, vertex, name)
-    s = (p1[0] + p2[0], p1[1] + p2[1], p1[2] + p2[2])
-    if space.curvature > 0 and space.dot(s, s) < NEARLY_ANTIPODAL:
-        raise AntipodalError(
-            f"vertices p1 = {tuple(p1)} and p2 = {tuple(p2)} are antipodal: no half-turn exchanges "
-            "them in one way only; shorten the edges"
-        )
+    require_not_antipodal(space, p1, p2, "p1 and p2")
     return close_quad(space.dot, p, p1, p2)

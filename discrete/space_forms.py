@@ -77,3 +77,4 @@ class SpaceForm:
 
 S2 = SpaceForm(name="S2", curvature=1, dot=dot_s2, cross=cross_s2)
 H2 = SpaceForm(name="H2", curvature=-1, dot=dot_h2, cross=cross_h2)
+SPACE_FORMS = (S2, H2)

@@ -1,243 +1,11 @@
 """Claims of section 4.1, Chebyshev nets in the Poincare disk."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
-_SPACING = r"(used, not stated) $\Delta$ is the distance of neighbouring nodes, as in item (C)"
-_RHOMB = r"$d(\zeta_0, \zeta_1) = d(\zeta_0, \zeta_2)$: the two known sides are equal"
+_DISK = "checks.verify.poincare_disk:"
+_ANGLES = "checks.verify.poincare_angles:"
 
 CLAIMS: tuple[Claim, ...] = (
-    Claim(
-        id="4.1.deformation-composite",
-        section="4.1",
-        where="section 4.1, lines 1141 and 1196",
-        kind="sentence",
-        statement=(
-            r"The deformation from material to laboratory frame is $y = r \circ \zeta^{-1}$, "
-            r"where $r$ and $\zeta$ give the place in $\mathbb{R}^3$ and in $\Omega \subset "
-            r"\mathbb{H}^2$ of a point of the asymptotic complex; it is isometric."
-        ),
-        hypotheses=(
-            r"$\zeta$ and $r$ are built on the same complex $Q^\epsilon$",
-            r"(used, not stated) $\zeta$ is injective, so the net has no reversal",
-            (
-                "(used, not stated) in the discrete setting isometric means: equal angles at "
-                "vertices, edges equal up to one factor common to all"
-            ),
-        ),
-        rests_on=("4.1.planar-stars",),
-    ),
-    Claim(
-        id="4.1.poincare-metric",
-        section="4.1",
-        where="section 4.1, line 1143",
-        kind="equation",
-        statement=(
-            r"The unit disk $|z| < 1$ with $g = \frac{4\,dz\,d\bar z}{1 - |z|^2}$ is a model of "
-            r"$\mathbb{H}^2$: its Gauss curvature is $-1$."
-        ),
-        hypotheses=("$|z| < 1$",),
-        rests_on=("def:H2",),
-    ),
-    Claim(
-        id="4.1.A-distance",
-        section="4.1",
-        where="section 4.1, item (A), displayed formula, line 1147",
-        kind="equation",
-        statement=(
-            r"$d(z_1, z_2) = \operatorname{arccosh}\left(1 + \frac{2|z_1 - z_2|^2}{(1 - "
-            r"|z_1|^2)(1 - |z_2|^2)}\right)$."
-        ),
-        hypotheses=(
-            "$|z_1| < 1$, $|z_2| < 1$",
-            (
-                r"(used, not stated) the metric is that of the definition of $\mathbb{H}^2$, "
-                "with $(1 - |z|^2)^2$ below the line"
-            ),
-        ),
-        rests_on=("def:H2",),
-    ),
-    Claim(
-        id="eq:hyp_radius",
-        section="4.1",
-        where="equation (eq:hyp_radius), item (A), line 1152",
-        kind="equation",
-        statement=r"$d(0, z) = 2 \operatorname{artanh} |z|$.",
-        labels=("eq:hyp_radius",),
-        hypotheses=("$|z| < 1$",),
-        rests_on=("4.1.A-distance",),
-    ),
-    Claim(
-        id="eq:mobius",
-        section="4.1",
-        where="equation (eq:mobius), item (B), line 1157",
-        kind="equation",
-        statement=(
-            r"The orientation preserving isometries of $\mathbb{H}^2$ are exactly the maps $f(z; "
-            r"z_0, \theta) = e^{i\theta}\frac{z + z_0}{1 + z \bar z_0}$."
-        ),
-        labels=("eq:mobius",),
-        hypotheses=(r"$|z_0| < 1$, $\theta \in [0, 2\pi)$",),
-        rests_on=("4.1.A-distance",),
-    ),
-    Claim(
-        id="4.1.B-no-rotation",
-        section="4.1",
-        where="section 4.1, item (B), line 1159",
-        kind="sentence",
-        statement=(
-            r"The maps $f(\cdot; z_0)$ with $\theta = 0$ are enough for the construction: $f(0; "
-            "z_0) = z_0$, so one of them brings any vertex to the origin and another brings it "
-            "back."
-        ),
-        hypotheses=(
-            "$|z_0| < 1$",
-            (
-                r"(used, not stated) composites of such maps, which in general have $\theta \neq "
-                "0$, are not needed"
-            ),
-        ),
-        rests_on=("eq:mobius",),
-    ),
-    Claim(
-        id="4.1.B-derivative",
-        section="4.1",
-        where="section 4.1, item (B), line 1159",
-        kind="equation",
-        statement="$f'(0; z_0) = 1 - |z_0|^2$, which is real and positive.",
-        hypotheses=("$|z_0| < 1$",),
-        rests_on=("eq:mobius",),
-    ),
-    Claim(
-        id="4.1.B-inverse",
-        section="4.1",
-        where="section 4.1, item (B), line 1159",
-        kind="equation",
-        statement=r"$f^{-1}(w; z_0) = f(w; -z_0) = \frac{w - z_0}{1 - w \bar z_0}$.",
-        hypotheses=("$|z_0| < 1$, $|w| < 1$",),
-        rests_on=("eq:mobius",),
-    ),
-    Claim(
-        id="geodesics",
-        section="4.1",
-        where="section 4.1, item (C) (geodesics), line 1160",
-        kind="item",
-        statement=(
-            r"The points $\gamma_\beta(n) = e^{i\beta} \tanh\frac{n\Delta}{2}$ lie on a geodesic "
-            r"through $0$, neighbours at distance $\Delta$."
-        ),
-        labels=("geodesics",),
-        hypotheses=(r"$\Delta > 0$, $n$ an integer",),
-        rests_on=("eq:hyp_radius", "4.1.A-distance"),
-    ),
-    Claim(
-        id="4.1.C-geodesics-elsewhere",
-        section="4.1",
-        where="section 4.1, item (C), line 1160",
-        kind="equation",
-        statement=(
-            r"The points $z_n = f(\gamma_\beta(n); z_0)$ lie on a geodesic through $z_0$, "
-            r"neighbours at distance $\Delta$; every geodesic through $z_0$ arises so."
-        ),
-        hypotheses=(r"$|z_0| < 1$, $\Delta > 0$",),
-        rests_on=("geodesics", "eq:mobius"),
-    ),
-    Claim(
-        id="4.1.chebyshev-equivalence",
-        section="4.1",
-        where="section 4.1, line 1163",
-        kind="sentence",
-        statement=(
-            "A discrete geometry of surfaces with $K = -1$ is the same as a discrete Chebyshev "
-            "net, that is, a net of rhombi, in the space that fits: $S^2$ for the normal, "
-            r"$\mathbb{H}^2$ for the material position."
-        ),
-        hypotheses=(
-            "(used, not stated) all edges have one length, as in the rest of the section",
-            (
-                r"(used, not stated) the edge $\Delta$ in $\mathbb{H}^2$ and the angle $\delta$ "
-                r"between neighbouring normals belong together: $\cos\delta \cosh\Delta = 1$"
-            ),
-        ),
-        rests_on=("poincare-ddg", "lem:Chebyshev", "eq:householder"),
-    ),
-    Claim(
-        id="4.1.edge-length",
-        section="4.1",
-        where="section 4.1, line 1163",
-        kind="equation",
-        statement=(
-            r"The known sides of the rhombus have the length $d(\zeta_0, \zeta_1) = d(\zeta_0, "
-            r"\zeta_2) = 2\tanh\frac{\Delta}{2}$, for the $w_j$ of the following display."
-        ),
-        hypotheses=(_SPACING,),
-        rests_on=("eq:hyp_radius",),
-    ),
-    Claim(
-        id="4.1.normalised-neighbours",
-        section="4.1",
-        where="section 4.1, displayed formula, line 1165",
-        kind="equation",
-        statement=(
-            r"$w_j = f(\zeta_j; -\zeta_0)$ gives $w_0 = 0$, $w_1 = \frac{\Delta}{2} "
-            r"e^{i\beta_1}$, $w_2 = \frac{\Delta}{2} e^{i\beta_2}$."
-        ),
-        hypotheses=(
-            r"$d(\zeta_0, \zeta_1) = d(\zeta_0, \zeta_2)$, the side of the rhombus",
-            _SPACING,
-        ),
-        rests_on=("eq:mobius", "eq:hyp_radius"),
-    ),
-    Claim(
-        id="4.1.closing-lengths",
-        section="4.1",
-        where="section 4.1, line 1167",
-        kind="sentence",
-        statement=(
-            "The fourth vertex $w_{12}$ is determined by $d(w_{12}, w_1) = d(w_{12}, w_2) = "
-            r"2\tanh\frac{\Delta}{2}$."
-        ),
-        hypotheses=(
-            _RHOMB,
-            _SPACING,
-            r"(used, not stated) $w_1 \neq \pm w_2$",
-            r"(used, not stated) $w_{12} \neq w_0$: the origin solves the same two equations",
-        ),
-        rests_on=("4.1.normalised-neighbours", "4.1.A-distance"),
-    ),
-    Claim(
-        id="poincare-ddg",
-        section="4.1",
-        where="equation (poincare-ddg), line 1172",
-        kind="equation",
-        statement=(
-            r"With $w_j = f(\zeta_j; -\zeta_0)$, the vertex that closes the rhombus is "
-            r"$\zeta_{12} = f(w_{12}; \zeta_0)$, $w_{12} = \frac{w_1 + w_2}{1 + |w_1 w_2|}$."
-        ),
-        labels=("poincare-ddg",),
-        hypotheses=(
-            r"$|\zeta_j| < 1$ for $j = 0, 1, 2$",
-            (
-                r"$d(\zeta_0, \zeta_1) = d(\zeta_0, \zeta_2)$: the two known sides are equal, so "
-                "$|w_1| = |w_2|$"
-            ),
-            r"(used, not stated) $w_1 \neq -w_2$, else $\zeta_{12} = \zeta_0$",
-            r"(used, not stated) $w_1 \neq w_2$, else the rhombus has collapsed onto a geodesic",
-        ),
-        rests_on=("eq:mobius", "4.1.B-inverse", "4.1.A-distance"),
-    ),
-    Claim(
-        id="4.1.net-either-diagonal",
-        section="4.1",
-        where="section 4.1, line 1196",
-        kind="sentence",
-        statement=(
-            r"On a quad that satisfies (poincare-ddg) with $\zeta_0, \zeta_{12}$ opposite, it "
-            r"holds for every choice of the vertex called $\zeta_0$ and of the neighbour called "
-            r"$\zeta_1$."
-        ),
-        hypotheses=(_RHOMB, r"(used, not stated) the quad is not degenerate: $w_1 \neq \pm w_2$"),
-        rests_on=("poincare-ddg",),
-    ),
     Claim(
         id="4.1.hyperbolic-chebyshev-net",
         section="4.1",
@@ -256,6 +24,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("poincare-ddg", "4.1.net-either-diagonal", "def:A-complex"),
+        checks=(
+            Check(
+                name="as defined",
+                run="checks.verify.hyperbolic_nets:definition",
+                routes=("printed definition", "half-turns of the hyperboloid"),
+                mutants=(
+                    Mutant(name="without the marks", given={"alternating": False}),
+                    Mutant(name="without the rule", given={"rule": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.branch-point-degree",
@@ -329,6 +108,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.planar-stars", "eq:angle"),
+        checks=(
+            Check(
+                name="quad by quad",
+                run="checks.verify.net_correspondence:equivalence",
+                routes=(
+                    "edges N_1 x N_0, -N_2 x N_0 in space",
+                    "discrete.geodesics on the rhombus of H^2",
+                ),
+                mutants=(
+                    Mutant(name="tan(delta/2) 1 % larger", given={"scale": "101/100"}, near=True),
+                    Mutant(name="same sign on v-edges", given={"v_sign": 1}),
+                ),
+                tier="full",
+            ),
+        ),
     ),
     Claim(
         id="eq:angle",
@@ -351,6 +145,101 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("poincare-ddg", "eq:def_phi"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_ANGLES + "intrinsic",
+                routes=(
+                    "printed formula",
+                    "discrete.geodesics (hyperboloid)",
+                ),
+                mutants=(
+                    Mutant(name="w_1 not conjugated", given={"conjugated": False}),
+                    Mutant(name="turned by 0.01", given={"turn": "1/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="other orientation",
+                run=_ANGLES + "clockwise",
+                form="support",
+                routes=(
+                    "printed formula",
+                    "angle between the axes",
+                ),
+                mutants=(Mutant(name="plus", given={"sign": 1}),),
+            ),
+            Check(
+                name="order at the node",
+                run=_ANGLES + "order",
+                form="support",
+                routes=(
+                    "(eq:angle) on the net of (poincare-ddg)",
+                    "theory.painleve_float",
+                ),
+                mutants=(Mutant(name="order 2", given={"order": 2}, near=True),),
+            ),
+            Check(
+                name="order backwards at the node",
+                run=_ANGLES + "order",
+                form="support",
+                given={"place": "backwards, at its node"},
+                routes=(
+                    "(eq:angle) on the net of (poincare-ddg)",
+                    "theory.painleve_float",
+                ),
+                mutants=(
+                    Mutant(
+                        name="order 2",
+                        given={"place": "backwards, at its node", "order": 2},
+                        near=True,
+                    ),
+                ),
+            ),
+            Check(
+                name="order at the centre",
+                run=_ANGLES + "order",
+                form="support",
+                given={"place": "at the centre of its quad", "order": 2},
+                routes=(
+                    "(eq:angle) on the net of (poincare-ddg)",
+                    "theory.painleve_float",
+                ),
+                mutants=(
+                    Mutant(
+                        name="order 1",
+                        given={"place": "at the centre of its quad", "order": 1},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="0.1 steps off",
+                        given={"place": "at the centre of its quad", "order": 2, "shift": "1/10"},
+                        near=True,
+                    ),
+                ),
+            ),
+            Check(
+                name="order of the mean",
+                run=_ANGLES + "order",
+                form="support",
+                given={"place": "mean of four, at the node", "order": 2},
+                routes=(
+                    "(eq:angle) on the net of (poincare-ddg)",
+                    "theory.painleve_float",
+                ),
+                mutants=(
+                    Mutant(
+                        name="order 1",
+                        given={"place": "mean of four, at the node", "order": 1},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="0.1 steps off",
+                        given={"place": "mean of four, at the node", "order": 2, "shift": "1/10"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:trisect",
@@ -371,6 +260,55 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("poincare-ddg",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_ANGLES + "thirds",
+                routes=(
+                    "printed formula",
+                    "equal thirds of the angle",
+                ),
+                mutants=(
+                    Mutant(name="w_2 w_1", given={"weight": 1}),
+                    Mutant(name="a quarter", given={"divisor": 4}, near=True),
+                ),
+            ),
+            Check(
+                name="sum of the arguments",
+                run=_ANGLES + "thirds",
+                form="corrected",
+                given={"principal": False},
+                routes=(
+                    "printed formula",
+                    "equal thirds of the angle",
+                ),
+                mutants=(
+                    Mutant(name="w_2 w_1", given={"principal": False, "weight": 1}),
+                    Mutant(name="a quarter", given={"principal": False, "divisor": 4}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\varphi_1 = \frac13\arg(w_2 w_1^2)$, $\varphi_2 = \frac13\arg(w_2^2 w_1)$",
+            corrected=(
+                r"$\varphi_1 = \beta_1 + \frac13\arg(w_2 \bar w_1)$, $\varphi_2 = \beta_1 + "
+                r"\frac23\arg(w_2 \bar w_1)$ with $\beta_1 = \arg w_1$ and $0 < \arg(w_2 \bar "
+                r"w_1) < \pi$"
+            ),
+            kind="ambiguous",
+            witness=(
+                r"$w_1 \parallel i$, $w_2 \parallel e^{5\pi i/6}$: $\arg(w_2 w_1^2) = \arg "
+                r"e^{11\pi i/6} = -\frac{\pi}{6}$ gives $\varphi_1 = -\frac{\pi}{18}$; the third "
+                r"of the angle lies at $\frac{11\pi}{18}$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"With the principal value the directions may be off by $\frac{2\pi}{3}$ or "
+                r"$\frac{4\pi}{3}$, outside the removed sector; so it happens in three of the "
+                r"four quadrants of the example. The sums $2\beta_1 + \beta_2$, $\beta_1 + "
+                r"2\beta_2$ of continuous arguments are right."
+            ),
+        ),
     ),
     Claim(
         id="eq:poincare-surgery",
@@ -393,5 +331,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:trisect", "4.1.C-geodesics-elsewhere"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_DISK + "equally_spaced_elsewhere",
+                routes=(
+                    "printed formula",
+                    "discrete.geodesics and item (A)",
+                ),
+                mutants=(
+                    Mutant(name="tanh(k Delta/4)", given={"rate": "1/4"}),
+                    Mutant(name="minus below", given={"denominator": -1}),
+                    Mutant(name="rate 0.505", given={"rate": "101/200"}, near=True),
+                ),
+            ),
+        ),
     ),
 )
