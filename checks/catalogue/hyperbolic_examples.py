@@ -119,11 +119,14 @@ CLAIMS: tuple[Claim, ...] = (
         erratum=Erratum(
             printed=("Caption: (a) in asymptotic coordinates, (b) in the disk."),
             corrected=(
-                "(a) in the disk, (b) in asymptotic coordinates, as the text (line 1205) and the labels of the panels have it; or the panels are exchanged."
+                "(a) in the disk, (b) in asymptotic coordinates, as the text (line 1205) and "
+                "the labels of the panels have it; or the panels are exchanged."
             ),
             kind="misprint",
             witness=(
-                "Panel (a) is labelled poincaregeodesics, and line 1205 says that it shows the nodes of the net in the disk; the caption says that it shows asymptotic coordinates."
+                "Panel (a) is labelled poincaregeodesics, and line 1205 says that it shows the "
+                "nodes of the net in the disk; the caption says that it shows asymptotic "
+                "coordinates."
             ),
             conclusion_survives=True,
         ),
@@ -673,11 +676,16 @@ CLAIMS: tuple[Claim, ...] = (
                 "removed angle."
             ),
             corrected=(
-                r"They do if $\arg$ of a product stands for the sum of the arguments, $2\beta_1 + \beta_2$ and $\beta_1 + 2\beta_2$, not for a value in $(-\pi, \pi]$."
+                r"They do if $\arg$ of a product stands for the sum of the arguments, $2\beta_1 "
+                r"+ \beta_2$ and $\beta_1 + 2\beta_2$, not for a value in $(-\pi, \pi]$."
             ),
             kind="ambiguous",
             witness=(
-                r"In the example the removed angle is $0.5224\pi$, centred at $\pi/4$: then $\arg(w_2^2 w_1)$ is $1.0112\pi$, whose principal value is $-0.9888\pi$, and a third of it points $2\pi/3$ away. With $\beta_1 = -\frac{\pi}{100}$, $\beta_2 = \frac{51\pi}{100}$ the second direction comes out as $-\frac{33\pi}{100}$ instead of $\frac{101\pi}{300}$."
+                r"In the example the removed angle is $0.5224\pi$, centred at $\pi/4$: then "
+                r"$\arg(w_2^2 w_1)$ is $1.0112\pi$, whose principal value is $-0.9888\pi$, and a "
+                r"third of it points $2\pi/3$ away. With $\beta_1 = -\frac{\pi}{100}$, $\beta_2 "
+                r"= \frac{51\pi}{100}$ the second direction comes out as $-\frac{33\pi}{100}$ "
+                r"instead of $\frac{101\pi}{300}$."
             ),
             conclusion_survives=True,
         ),

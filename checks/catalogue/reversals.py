@@ -105,21 +105,27 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed=(
-                "The condition that the product of the four orientations be at most $0$ captures the folds of a net."
+                "The condition that the product of the four orientations be at most $0$ "
+                "captures the folds of a net."
             ),
             corrected=(
-                "A net folds at a regular node when its four quads are not all oriented as the net is: two may be flipped against two, and then the product is positive."
+                "A net folds at a regular node when its four quads are not all oriented as the "
+                "net is: two may be flipped against two, and then the product is positive."
             ),
             kind="hypothesis",
             witness=(
-                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{-12 + 5i}{13}$, $\frac12\cdot\frac{12 + 5i}{13}$ and $v$-neighbours $\pm\frac12$ all four "
+                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{-12 + 5i}{13}$, "
+                r"$\frac12\cdot\frac{12 + 5i}{13}$ and $v$-neighbours $\pm\frac12$ all four "
                 "quads lie above the $v$-line, those to the left on those to the right; the "
                 r"factors are $-\frac5{52}, \frac5{52}, -\frac5{52}, \frac5{52}$ and their "
                 "product is positive."
             ),
             conclusion_survives=True,
             remark=(
-                "This is a fold along a v-line which the u-lines touch from one side; the same happens along a u-line. Where the edge crosses both families, as it does on Amsler nets, some nodes on either side of it have one quad against three, so that a reversal is seen there."
+                "This is a fold along a v-line which the u-lines touch from one side; the same "
+                "happens along a u-line. Where the edge crosses both families, as it does on "
+                "Amsler nets, some nodes on either side of it have one quad against three, so "
+                "that a reversal is seen there."
             ),
         ),
     ),
@@ -219,14 +225,17 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed=(
-                "Where the product is at most $0$, one of the four quads is flipped against the three others."
+                "Where the product is at most $0$, one of the four quads is flipped against the "
+                "three others."
             ),
             corrected=(
-                "Where the product is less than $0$; where it is $0$ a quad has collapsed, and the others may be oriented in any way."
+                "Where the product is less than $0$; where it is $0$ a quad has collapsed, and "
+                "the others may be oriented in any way."
             ),
             kind="hypothesis",
             witness=(
-                r"Node $0$ with the $u$-neighbours $\pm\frac12$ and the $v$-neighbours $-\frac12$, $-\frac i2$: the product is $0$, two quads have collapsed to "
+                r"Node $0$ with the $u$-neighbours $\pm\frac12$ and the $v$-neighbours "
+                r"$-\frac12$, $-\frac i2$: the product is $0$, two quads have collapsed to "
                 "segments and the two others are oriented alike."
             ),
             conclusion_survives=True,
@@ -279,7 +288,8 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed=(
-                r"At a reversal the differences $\zeta_{j+1,k} - \zeta_{j,k}$, $\zeta_{j,k+1} - \zeta_{j,k}$ have passed through a common line."
+                r"At a reversal the differences $\zeta_{j+1,k} - \zeta_{j,k}$, $\zeta_{j,k+1} - "
+                r"\zeta_{j,k}$ have passed through a common line."
             ),
             corrected=(
                 r"Their images under $f(\cdot; -\zeta_{j,k})$ have; chords of the disk between "
@@ -287,12 +297,17 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="ambiguous",
             witness=(
-                r"Node $\frac12 + \frac i5$ with the $u$-neighbours $(\frac{5677}{18241}, -\frac{200}{18241})$, $(\frac{560}{1049}, \frac{437}{1049})$ and the $v$-neighbours $(\frac{137}{629}, \frac{140}{629})$, $(\frac{23020}{35461}, \frac{11977}{35461})$, all at the distance $2\operatorname{artanh}\frac13$: "
-                "(reversal) holds, yet the four products of the plain differences have the signs of a net without a fold."
+                r"Node $\frac12 + \frac i5$ with the $u$-neighbours $(\frac{5677}{18241}, "
+                r"-\frac{200}{18241})$, $(\frac{560}{1049}, \frac{437}{1049})$ and the "
+                r"$v$-neighbours $(\frac{137}{629}, \frac{140}{629})$, $(\frac{23020}{35461}, "
+                r"\frac{11977}{35461})$, all at the distance $2\operatorname{artanh}\frac13$: "
+                "(reversal) holds, yet the four products of the plain differences have the "
+                "signs of a net without a fold."
             ),
             conclusion_survives=True,
             remark=(
-                "Both readings agree in the limit of short edges, up to the choice of a neighbouring node."
+                "Both readings agree in the limit of short edges, up to the choice of a "
+                "neighbouring node."
             ),
         ),
     ),
@@ -396,12 +411,16 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="hypothesis",
             witness=(
-                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{\mp 12 + 5i}{13}$ and $v$-neighbours $\pm\frac12$ the four angles are $\beta, \pi - \beta, \beta, \pi - \beta$, of sum $2\pi$, yet every direction above the real axis lies in "
+                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{\mp 12 + 5i}{13}$ and "
+                r"$v$-neighbours $\pm\frac12$ the four angles are $\beta, \pi - \beta, \beta, "
+                r"\pi - \beta$, of sum $2\pi$, yet every direction above the real axis lies in "
                 "two of the quads and none below it in any."
             ),
             conclusion_survives=True,
             remark=(
-                "Such a net satisfies (poincare-ddg) on all its quads and has no node with (reversal). Nets of the greedy algorithm have angles below pi in sectors of one orientation, so the conclusion drawn for them is not touched."
+                "Such a net satisfies (poincare-ddg) on all its quads and has no node with "
+                "(reversal). Nets of the greedy algorithm have angles below pi in sectors of "
+                "one orientation, so the conclusion drawn for them is not touched."
             ),
         ),
     ),
