@@ -171,7 +171,7 @@ CLAIMS: tuple[Claim, ...] = (
             r"The Amsler surface with angle $\pi/2$ contains no smoothly immersed geodesic disk "
             "of radius $1.5$."
         ),
-        hypotheses=("(used, not stated) the disk is centred where the straight lines meet",),
+        hypotheses=("the disk may be centred at any point",),
         rests_on=("PIII", "eq:metrics", "4.1.geodesic-radii"),
         checks=(
             Check(
@@ -366,6 +366,48 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) extent, $R$ and $\phi^*$ are not given in the caption",),
         rests_on=("4.1.amsler-data", "eq:poincare-surgery"),
+        checks=(
+            Check(
+                name="panel (a)",
+                run=_FOLDS + "folds_back",
+                part="a",
+                routes=(
+                    "quads of the net in the Klein model",
+                    "edge by PIII",
+                ),
+                mutants=(
+                    Mutant(name="twice as far before the edge", given={"before": "2"}),
+                    Mutant(name="net ends at the edge", given={"past": False}),
+                    Mutant(name="three sheets", given={"sheets": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="panels (b) and (c)",
+                run=_SURGERY + "branch_points",
+                part="c",
+                routes=(
+                    "complex of the cut net",
+                    "surgery on a grid of squares (theory)",
+                ),
+                mutants=(
+                    Mutant(name="three cuts", given={"cuts": 3}, near=True),
+                    Mutant(name="degree 8", given={"degree": 8}),
+                ),
+            ),
+            Check(
+                name="class of the glued surface",
+                run=_CUTS + "bounded_curvature",
+                part="class",
+                routes=(
+                    "angles of the sectors on three nets",
+                    "fit of the K-surface along the seams",
+                ),
+                mutants=(
+                    Mutant(name="as far as the edge", given={"reach": "2"}),
+                    Mutant(name="no growth at all", given={"growth": "1/100000"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.net-folds-back",
@@ -457,11 +499,11 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_CUTS + "pseudo_axis",
                 part="d",
                 routes=(
-                    "slope on the shared edge, PIII in balls",
-                    "angles of the net",
+                    "slope on the shared edge by Gauss-Weingarten",
+                    "PIII in balls",
                 ),
                 mutants=(
-                    Mutant(name="the other axis", given={"shared": "new"}),
+                    Mutant(name="angle half as large again", given={"start": "3/2"}),
                     Mutant(name="slope of the other sign", given={"orientation": -1}),
                 ),
             ),
@@ -483,12 +525,25 @@ CLAIMS: tuple[Claim, ...] = (
                 name="slope on the shared axis",
                 run=_CUTS + "pseudo_axis",
                 routes=(
-                    "slope on the shared edge, PIII in balls",
-                    "angles of the net",
+                    "slope on the shared edge by Gauss-Weingarten",
+                    "PIII in balls",
                 ),
                 mutants=(
-                    Mutant(name="the other axis", given={"shared": "new"}),
+                    Mutant(name="angle half as large again", given={"start": "3/2"}),
                     Mutant(name="slope of the other sign", given={"orientation": -1}),
+                ),
+            ),
+            Check(
+                name="by the net",
+                run=_CUTS + "pseudo_axis_by_net",
+                form="support",
+                routes=(
+                    "angles of the net",
+                    "PIII in float64",
+                ),
+                mutants=(
+                    Mutant(name="the other axis", given={"axis": "new"}),
+                    Mutant(name="2 % more", given={"factor": "102/100"}, near=True),
                 ),
             ),
         ),
@@ -516,12 +571,12 @@ CLAIMS: tuple[Claim, ...] = (
                 run=_CUTS + "location",
                 part="where",
                 routes=(
-                    "certified PIII and bounds of the distance",
-                    "v-lines laid out on the hyperboloid",
+                    "certified PIII",
+                    "bounds of the distance by paths",
                 ),
                 mutants=(
-                    Mutant(name="R = 1.8", given={"radius": "9/5"}),
-                    Mutant(name="level 0.8 pi", given={"level": "4/5"}),
+                    Mutant(name="R = 1.08", given={"radius": "27/25"}, near=True),
+                    Mutant(name="R = 1", given={"radius": "1"}),
                 ),
             ),
             Check(

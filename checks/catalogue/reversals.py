@@ -102,6 +102,20 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
                 mutants=(Mutant(name="all folds", given={"against": "any"}),),
             ),
+            Check(
+                name="net folded along a line",
+                run=_REV + "folded_along_line",
+                form="support",
+                part="captures folds",
+                routes=(
+                    "exact net by half-turns",
+                    "(reversal) at its nodes",
+                ),
+                mutants=(
+                    Mutant(name="left strip below", given={"left": "below"}),
+                    Mutant(name="quads not all alike", given={"form": "unequal"}),
+                ),
+            ),
         ),
         erratum=Erratum(
             printed=(
@@ -356,7 +370,10 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("remark:ramification",),
         hypotheses=(
-            "(used, not stated) every quad has the orientation of the net: there is no reversal",
+            (
+                "(used, not stated) every quad has the orientation of the net: it does not fold, "
+                "which is more than that there be no reversal"
+            ),
         ),
         rests_on=("4.1.discrete-conformal", "4.1.hyperbolic-chebyshev-net", "eq:unramified"),
         checks=(

@@ -17,7 +17,9 @@ from checks.exact import combined, identities, statement
 from checks.printed import poincare_disk
 from checks.printed import reversals as printed
 from discrete.geodesics import determinant
-from discrete.poincare_disk import from_disk
+from discrete.goursat_fill import fill
+from discrete.poincare_disk import from_disk, to_disk
+from discrete.space_forms import dot_h2
 from theory import amsler
 
 Pair = tuple[Any, Any]
@@ -137,6 +139,40 @@ def line_fold() -> tuple[Pair, Star, list[int]]:
     }
     centre = (zero, zero)
     return centre, star, _hyperboloid_signs(centre, star)
+
+
+def folded_along_line(setting: Setting, *, form: str = "product", left: str = "above") -> Evidence:
+    """Whether a net folded along a v-line has no node with (reversal) on that line.
+
+    An exact net: six v-edges on the real axis and one u-edge to each side of it, both to points
+    `above` it; left: where that to the left points, `below` giving a net without a fold.
+    """
+    del setting
+    rate, (c, s) = Fraction(1, 20), (Fraction(12, 13), Fraction(5, 13))
+    axis, modulus = [Fraction(0)], Fraction(0)
+    for _ in range(3):
+        modulus = (modulus + rate) / (1 + modulus * rate)
+        axis.append(modulus)
+    first = {1: (-rate * c, rate * s), -1: (rate * c, rate * s * (1 if left == "above" else -1))}
+    strips: dict[tuple[int, int], Pair] = {}
+    for p, near in first.items():
+        for q in (1, -1):
+            line = [from_disk((q * x, Fraction(0))) for x in axis]
+            row = fill(dot_h2, [line[0], from_disk(near)], line)[1]
+            strips |= {(p, q * k): to_disk(x) for k, x in enumerate(row)}
+    points = {q * k: (q * x, Fraction(0)) for q in (1, -1) for k, x in enumerate(axis)}
+    below = [at for at, z in strips.items() if z[1] <= 0]
+    seen = []
+    for k in range(-2, 3):
+        star: Star = {(1, 0): strips[1, k], (-1, 0): strips[-1, k],
+                      (0, 1): points[k + 1], (0, -1): points[k - 1]}  # fmt: skip
+        if printed.is_reversal(printed.orientations(points[k], star), form=form):
+            seen.append(k)
+    return statement(
+        not below and not seen,
+        shown="twelve rhombi with a common v-line, all above it, have no reversal at its nodes",
+        witness=f"vertices below the v-line: {below}; reversals at its nodes {seen}",
+    )
 
 
 def one_against_three(setting: Setting, *, strict: bool = False, quads: int = 4) -> Evidence:
