@@ -4,8 +4,10 @@ The other route is that of the hyperboloid: a quad is flipped as det(p, p_u, p_v
 """
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from functools import cache
+from itertools import product
 from math import prod
 from random import Random
 from typing import Any
@@ -67,6 +69,35 @@ def signed_stars(setting: Setting) -> Iterator[tuple[Pair, Star, list[int]]]:
         yield centre, star, _hyperboloid_signs(centre, star)
 
 
+@cache
+def _same_orientation() -> bool:
+    """Whether 4 omega(w_1, w_2) is det(p, p_1, p_2) (1 - |w_1|^2)(1 - |w_2|^2), w = f(.; -z).
+
+    An identity of rational functions: each factor of (reversal) has the sign of the determinant.
+    """
+    _, *field = sp.field("a1 a2 b1 b2 c1 c2", sp.QQ)
+    a, b, c = (field[0], field[1]), (field[2], field[3]), (field[4], field[5])
+    away = (-a[0], -a[1])
+    w1, w2 = poincare_disk.moebius(b, away), poincare_disk.moebius(c, away)
+    scale = (1 - poincare_disk.square(w1)) * (1 - poincare_disk.square(w2))
+    triples = determinant(from_disk(a), from_disk(b), from_disk(c))
+    return bool(triples * scale == 4 * printed.oriented(w1, w2))
+
+
+def _by_signs(rule: Callable[[list[int], list[int]], bool], *, shown: str) -> Evidence:
+    """Evidence that a rule holds for all 81 patterns of signs, hence for all nodes.
+
+    rule: of the signs of the four factors and of the orientations of the quads against the net.
+    """
+    for signs in product((-1, 0, 1), repeat=4):
+        factors = [p * q * x for (p, q), x in zip(printed.QUADS, signs, strict=True)]
+        if not rule(factors, list(signs)):
+            return statement(False, shown="", witness=f"quads oriented as {signs}")
+    return statement(
+        _same_orientation(), shown=shown, witness="a factor is no positive multiple of det"
+    )
+
+
 def _shown(centre: Pair, star: Star) -> str:
     around = ", ".join(f"{at}: {_text(z)}" for at, z in star.items())
     return f"node {_text(centre)} with the neighbours {around}"
@@ -94,11 +125,16 @@ def definition(
                 witness=f"{_shown(centre, star)}: signs of the four quads {signs}, yet the "
                 f"criterion gives {found}",
             )
-    return statement(
-        min(seen[True], seen[False]) > _SAMPLES // 10,
-        shown=f"on {_SAMPLES} rational nodes (reversal) holds exactly where det(p, p_u, p_v) has "
-        "another sign on one or three of the four quads, or vanishes on one",
-        witness=f"hardly a node of one kind: {dict(seen)}",
+    if min(seen.values()) < _SAMPLES // 10:
+        return statement(False, shown="", witness=f"hardly a node of one kind: {dict(seen)}")
+    return _by_signs(
+        lambda factors, signs: (
+            printed.is_reversal(factors, strict=strict, form=form)
+            == (0 in signs or signs.count(-1) % 2 == 1)
+        ),
+        shown="(reversal) holds exactly where det(p, p_u, p_v) has another sign on one or three of "
+        "the four quads, or vanishes on one: each factor is a positive multiple of it, and all "
+        f"patterns of signs were tried, beside {_SAMPLES} rational nodes of both kinds",
     )  # fmt: skip
 
 
@@ -121,10 +157,15 @@ def detects_folds(setting: Setting, *, form: str = "product", against: str = "an
                 witness=f"{_shown(centre, star)}: its quads (1,1), (1,-1), (-1,1), (-1,-1) are "
                 f"oriented as {signs}, yet the criterion gives {found}",
             )
-    return statement(
-        met > _SAMPLES // 10,
+    if met < _SAMPLES // 10:
+        return statement(False, shown="", witness="hardly a node with a fold")
+    return _by_signs(
+        lambda factors, signs: (
+            0 in signs
+            or (against == "one" and signs.count(-1) not in (1, 3))
+            or printed.is_reversal(factors, form=form) == (len(set(signs)) > 1)
+        ),
         shown="the criterion holds exactly at the nodes whose quads are not all oriented alike",
-        witness="no node with a fold",
     )
 
 
@@ -192,10 +233,15 @@ def one_against_three(setting: Setting, *, strict: bool = False, quads: int = 4)
                 False, shown="", witness=f"{_shown(centre, star)}: a reversal, its quads "
                 f"(1,1), (1,-1), (-1,1), (-1,-1) oriented as {signs}",
             )  # fmt: skip
-    return statement(
-        met > _SAMPLES // 10,
-        shown=f"at each of {met} reversals one quad is oriented against the three others",
-        witness="no reversal",
+    if met < _SAMPLES // 10:
+        return statement(False, shown="", witness="hardly a reversal")
+    return _by_signs(
+        lambda factors, signs: (
+            not printed.is_reversal(factors[:quads], strict=strict)
+            or sorted(signs) in ([-1, 1, 1, 1], [-1, -1, -1, 1])
+        ),
+        shown="at each reversal one quad is oriented against the three others: all patterns of "
+        f"signs were tried, beside {met} rational nodes",
     )
 
 
@@ -221,11 +267,14 @@ def collinear(setting: Setting, *, moved: bool = False, reversal: bool = True) -
                 False, shown="", witness=f"{_shown(centre, star)}: quads oriented as {signs}, yet "
                 f"the differences {kind} have one orientation in all four",
             )  # fmt: skip
-    return statement(
-        met > _SAMPLES // 20,
-        shown=f"at each of {met} reversals the orientation of the two differences changes from "
-        "one quad to another",
-        witness="no reversal",
+    if met < _SAMPLES // 20:
+        return statement(False, shown="", witness="hardly a reversal")
+    return _by_signs(
+        lambda factors, signs: (
+            0 in signs or printed.is_reversal(factors) != reversal or len(set(signs)) > 1
+        ),
+        shown="at each reversal the orientation of the two differences changes from one quad to "
+        f"another: all patterns of signs were tried, beside {met} rational nodes",
     )
 
 
