@@ -8,6 +8,7 @@ _EXAMPLE = r"$\varphi_0 = \pi/2$, $R = 3$, $\phi^* = 3\pi/4$"
 _BALLS = "checks.verify.amsler_balls:"
 _FOLDS = "checks.verify.amsler_folds:"
 _CUTS = "checks.verify.amsler_cuts:"
+_SECOND = "checks.verify.second_generation:"
 _SURGERY = "checks.verify.disk_surgery:"
 
 CLAIMS: tuple[Claim, ...] = (
@@ -396,7 +397,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="class of the glued surface",
-                run=_CUTS + "bounded_curvature",
+                run=_SECOND + "bounded_curvature",
                 part="class",
                 routes=(
                     "angles of the sectors on three nets",
@@ -496,7 +497,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="sector of panel (d)",
-                run=_CUTS + "pseudo_axis",
+                run=_SECOND + "pseudo_axis",
                 part="d",
                 routes=(
                     "slope on the shared edge by Gauss-Weingarten",
@@ -523,7 +524,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="slope on the shared axis",
-                run=_CUTS + "pseudo_axis",
+                run=_SECOND + "pseudo_axis",
                 routes=(
                     "slope on the shared edge by Gauss-Weingarten",
                     "PIII in balls",
@@ -535,7 +536,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="by the net",
-                run=_CUTS + "pseudo_axis_by_net",
+                run=_SECOND + "pseudo_axis_by_net",
                 form="support",
                 routes=(
                     "angles of the net",
@@ -825,7 +826,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="edge of the daughter",
-                run=_CUTS + "second_meets_circle",
+                run=_SECOND + "second_meets_circle",
                 routes=(
                     "angles of the daughter",
                     "distances by frames",
@@ -834,7 +835,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="outer sector by two routes",
-                run=_CUTS + "two_ways",
+                run=_SECOND + "two_ways",
                 form="support",
                 routes=(
                     "printed formulas in the disk",
@@ -859,13 +860,14 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _EXAMPLE,
             "(used, not stated) the sector is that of panel (d), beside the middle one",
+            "(used, not stated) about: nearest of the circles of the figure, 0.5 apart",
             _FINE,
         ),
         rests_on=("4.1.second-generation-meets-circle", "eq:hyp_radius"),
         checks=(
             Check(
                 name="second cut",
-                run=_CUTS + "second_radius",
+                run=_SECOND + "second_radius",
                 routes=(
                     "nets by angles and frames",
                     "contour and circle by splines",
@@ -878,7 +880,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="outer sector by two routes",
-                run=_CUTS + "two_ways",
+                run=_SECOND + "two_ways",
                 form="support",
                 routes=(
                     "printed formulas in the disk",
@@ -906,7 +908,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="areas and angles",
-                run=_CUTS + "covered",
+                run=_SECOND + "covered",
                 routes=(
                     "areas of quads by angle defects",
                     "area of the disk",
