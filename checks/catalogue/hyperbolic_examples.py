@@ -1,9 +1,15 @@
 """Claims of section 4.1, the Amsler net in the disk, its reversals and its first cuts."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
 _FINE = r"(used, not stated) $\Delta$ is small; no value is printed"
 _EXAMPLE = r"$\varphi_0 = \pi/2$, $R = 3$, $\phi^* = 3\pi/4$"
+
+_BALLS = "checks.verify.amsler_balls:"
+_FOLDS = "checks.verify.amsler_folds:"
+_CUTS = "checks.verify.amsler_cuts:"
+_SECOND = "checks.verify.second_generation:"
+_SURGERY = "checks.verify.disk_surgery:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -17,6 +23,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"of $\mathbb{H}^2$."
         ),
         rests_on=("def:amsler-sector", "4.1.deformation-composite"),
+        checks=(
+            Check(
+                name="straight axes",
+                run=_BALLS + "axes",
+                routes=(
+                    "Christoffel symbols of the metric",
+                    "geodesic curvature of the metric",
+                ),
+                mutants=(Mutant(name="angle not constant on the axes", given={"on_axis": "any"}),),
+            ),
+        ),
     ),
     Claim(
         id="4.1.amsler-data",
@@ -33,6 +50,21 @@ CLAIMS: tuple[Claim, ...] = (
             r"the two straight lines meet at $z = 0$ at the angle $\pi/2$",
         ),
         rests_on=("geodesics", "poincare-ddg", "4.1.amsler-axes-geodesic"),
+        checks=(
+            Check(
+                name="printed data",
+                run=_FOLDS + "boundary",
+                routes=(
+                    "printed nodes of the axes",
+                    "products of triples and half-turns",
+                ),
+                mutants=(
+                    Mutant(name="rate 1 for 1/2", given={"rate": "1"}),
+                    Mutant(name="rate 1 % larger", given={"rate": "101/200"}, near=True),
+                    Mutant(name="second axis opposite to the first", given={"quarter_turns": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="fig:geodesicballs",
@@ -48,6 +80,57 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("fig:geodesicballs", "fig:poincaregeodesics", "fig:amslergeodesics"),
         hypotheses=(_FINE,),
         rests_on=("4.1.amsler-data", "eq:angle", "eq:hyp_radius"),
+        checks=(
+            Check(
+                name="panels, as printed",
+                run=_BALLS + "panels",
+                part="panels",
+                routes=(
+                    "caption",
+                    "text that cites the panels",
+                ),
+                mutants=(Mutant(name="none of the panels", given={"caption": "none"}),),
+            ),
+            Check(
+                name="panels exchanged",
+                run=_BALLS + "panels",
+                form="corrected",
+                given={"caption": "exchanged"},
+                part="panels",
+                routes=(
+                    "caption",
+                    "text that cites the panels",
+                ),
+                mutants=(Mutant(name="as printed", given={"caption": "as printed"}),),
+            ),
+            Check(
+                name="contour of the net",
+                run=_FOLDS + "edge_on_mirror",
+                part="contour",
+                routes=(
+                    "printed net in the disk",
+                    "equation of Painleve",
+                ),
+                mutants=(
+                    Mutant(name="first order", given={"expected": 1}),
+                    Mutant(name="contour 99/100 pi", given={"level": "99/100"}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=("Caption: (a) in asymptotic coordinates, (b) in the disk."),
+            corrected=(
+                "(a) in the disk, (b) in asymptotic coordinates, as the text (line 1205) and "
+                "the labels of the panels have it; or the panels are exchanged."
+            ),
+            kind="misprint",
+            witness=(
+                "Panel (a) is labelled poincaregeodesics, and line 1205 says that it shows the "
+                "nodes of the net in the disk; the caption says that it shows asymptotic "
+                "coordinates."
+            ),
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="4.1.disk-radius-1",
@@ -65,6 +148,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("PIII", "eq:metrics", "4.1.geodesic-radii"),
+        checks=(
+            Check(
+                name="disk inside the edge",
+                run=_BALLS + "smooth_disk",
+                routes=(
+                    "certified values of PIII and comparison of lengths",
+                    "reference values of PIII (mpmath)",
+                ),
+                mutants=(
+                    Mutant(name="radius 1.27", given={"radius": "127/100"}, near=True),
+                    Mutant(name="radius 1.5", given={"radius": "3/2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.disk-radius-1.5",
@@ -75,8 +172,22 @@ CLAIMS: tuple[Claim, ...] = (
             r"The Amsler surface with angle $\pi/2$ contains no smoothly immersed geodesic disk "
             "of radius $1.5$."
         ),
-        hypotheses=("(used, not stated) the disk is centred where the straight lines meet",),
+        hypotheses=("the disk may be centred at any point",),
         rests_on=("PIII", "eq:metrics", "4.1.geodesic-radii"),
+        checks=(
+            Check(
+                name="disk past the edge",
+                run=_BALLS + "smooth_disk_refused",
+                routes=(
+                    "certified values of PIII and comparison of lengths",
+                    "reference values of PIII (mpmath)",
+                ),
+                mutants=(
+                    Mutant(name="radius 1.26", given={"radius": "126/100"}, near=True),
+                    Mutant(name="radius 1", given={"radius": "1"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.geodesic-radii",
@@ -95,6 +206,30 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:hyp_radius", "4.1.deformation-composite"),
+        checks=(
+            Check(
+                name="against arc length",
+                run=_FOLDS + "radii",
+                routes=(
+                    "printed distance of nodes",
+                    "geodesics of the surface by Runge-Kutta",
+                ),
+                mutants=(
+                    Mutant(name="first order", given={"expected": 1}),
+                    Mutant(name="factor 2.02", given={"factor": "101/50"}, near=True),
+                ),
+            ),
+            Check(
+                name="edge seen from the crossing",
+                run=_FOLDS + "visible",
+                form="support",
+                routes=(
+                    "bearings by frames",
+                    "place of the edge by PIII",
+                ),
+                mutants=(Mutant(name="second edge", given={"edge": 2}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="fig:amslerspace",
@@ -108,6 +243,34 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("fig:amslerspace",),
         hypotheses=(_FINE, "(used, not stated) the extent of the net is not given"),
         rests_on=("4.1.amsler-data", "4.1.planar-stars"),
+        checks=(
+            Check(
+                name="two K-surfaces",
+                run=_FOLDS + "two_surfaces",
+                part="surface",
+                routes=(
+                    "Lelieuvre formulas from normals",
+                    "planar stars from the hyperbolic net",
+                ),
+                mutants=(
+                    Mutant(name="corner 1 % larger", given={"swap": True}, near=True),
+                    Mutant(name="ends before the third edge", given={"extent": "4"}),
+                ),
+            ),
+            Check(
+                name="against the front",
+                run=_FOLDS + "surface",
+                part="continuation",
+                routes=(
+                    "K-surface",
+                    "Moutard equation and Lelieuvre integrals (theory)",
+                ),
+                mutants=(
+                    Mutant(name="first order", given={"expected": 1}),
+                    Mutant(name="axes 1/100 off a right angle", given={"tilt": "1/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.several-singular-edges",
@@ -125,6 +288,34 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("PIII", "fig:amslerspace"),
+        checks=(
+            Check(
+                name="changes of sign",
+                run=_BALLS + "singular_edges",
+                part="number",
+                routes=(
+                    "certified angles of PIII",
+                    "the level pi",
+                ),
+                mutants=(
+                    Mutant(name="level 2 pi", given={"level": "2"}),
+                    Mutant(name="level 1.4 pi", given={"level": "7/5"}),
+                ),
+            ),
+            Check(
+                name="cuspidal",
+                run=_BALLS + "cuspidal",
+                part="cuspidal",
+                routes=(
+                    "Gauss-Weingarten equations",
+                    "criterion of Kokubu, Rossman, Saji, Umehara, Yamada",
+                ),
+                mutants=(
+                    Mutant(name="twice the rate", given={"rate": 2}),
+                    Mutant(name="other direction", given={"direction": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.three-reversals",
@@ -143,6 +334,20 @@ CLAIMS: tuple[Claim, ...] = (
             _FINE,
         ),
         rests_on=("reversal", "fig:amslerspace"),
+        checks=(
+            Check(
+                name="count against extent",
+                run=_FOLDS + "three_curves",
+                routes=(
+                    "(reversal) on printed nets",
+                    "zeros of phi - pi",
+                ),
+                mutants=(
+                    Mutant(name="one curve", given={"count": 1}),
+                    Mutant(name="edges 2 % farther", given={"spacing": "102/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="fig:poincaresurgery",
@@ -162,6 +367,48 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) extent, $R$ and $\phi^*$ are not given in the caption",),
         rests_on=("4.1.amsler-data", "eq:poincare-surgery"),
+        checks=(
+            Check(
+                name="panel (a)",
+                run=_FOLDS + "folds_back",
+                part="a",
+                routes=(
+                    "quads of the net in the Klein model",
+                    "edge by PIII",
+                ),
+                mutants=(
+                    Mutant(name="twice as far before the edge", given={"before": "2"}),
+                    Mutant(name="net ends at the edge", given={"past": False}),
+                    Mutant(name="three sheets", given={"sheets": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="panels (b) and (c)",
+                run=_SURGERY + "branch_points",
+                part="c",
+                routes=(
+                    "complex of the cut net",
+                    "surgery on a grid of squares (theory)",
+                ),
+                mutants=(
+                    Mutant(name="three cuts", given={"cuts": 3}, near=True),
+                    Mutant(name="degree 8", given={"degree": 8}),
+                ),
+            ),
+            Check(
+                name="class of the glued surface",
+                run=_SECOND + "bounded_curvature",
+                part="class",
+                routes=(
+                    "angles of the sectors on three nets",
+                    "fit of the K-surface along the seams",
+                ),
+                mutants=(
+                    Mutant(name="as far as the edge", given={"reach": "2"}),
+                    Mutant(name="no growth at all", given={"growth": "1/100000"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.net-folds-back",
@@ -175,6 +422,31 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_FINE,),
         rests_on=("fig:poincaresurgery", "4.1.reversal-singular-edge"),
+        checks=(
+            Check(
+                name="quads over points",
+                run=_FOLDS + "folds_back",
+                routes=(
+                    "quads of the net in the Klein model",
+                    "edge by PIII",
+                ),
+                mutants=(
+                    Mutant(name="twice as far before the edge", given={"before": "2"}),
+                    Mutant(name="net ends at the edge", given={"past": False}),
+                    Mutant(name="three sheets", given={"sheets": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="edge seen from the crossing",
+                run=_FOLDS + "visible",
+                form="support",
+                routes=(
+                    "bearings by frames",
+                    "place of the edge by PIII",
+                ),
+                mutants=(Mutant(name="second edge", given={"edge": 2}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="fig:shapeprocedure2",
@@ -196,6 +468,47 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_EXAMPLE, _FINE),
         rests_on=("alg:greedy-cuts", "4.1.amsler-data"),
+        checks=(
+            Check(
+                name="first cut of panel (b)",
+                run=_CUTS + "location_by_net",
+                part="b",
+                routes=(
+                    "net by angles and frames",
+                    "continuum on the hyperboloid",
+                ),
+                mutants=(
+                    Mutant(name="first order", given={"expected": 1}),
+                    Mutant(name="level 0.74 pi", given={"level": "37/50"}, near=True),
+                ),
+            ),
+            Check(
+                name="complex of panel (c)",
+                run=_SURGERY + "surgery_lemma",
+                part="c",
+                routes=(
+                    "complex of the cut net",
+                    "rectangles attached at a corner",
+                ),
+                mutants=(
+                    Mutant(name="four new rays", given={"rays": 4}),
+                    Mutant(name="rays one edge longer", given={"length": 4}, near=True),
+                ),
+            ),
+            Check(
+                name="sector of panel (d)",
+                run=_SECOND + "pseudo_axis",
+                part="d",
+                routes=(
+                    "slope on the shared edge by Gauss-Weingarten",
+                    "PIII in balls",
+                ),
+                mutants=(
+                    Mutant(name="angle half as large again", given={"start": "3/2"}),
+                    Mutant(name="slope of the other sign", given={"orientation": -1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.pseudo-amsler-axis",
@@ -208,6 +521,33 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_EXAMPLE,),
         rests_on=("fig:shapeprocedure2", "def:amsler-sector"),
+        checks=(
+            Check(
+                name="slope on the shared axis",
+                run=_SECOND + "pseudo_axis",
+                routes=(
+                    "slope on the shared edge by Gauss-Weingarten",
+                    "PIII in balls",
+                ),
+                mutants=(
+                    Mutant(name="angle half as large again", given={"start": "3/2"}),
+                    Mutant(name="slope of the other sign", given={"orientation": -1}),
+                ),
+            ),
+            Check(
+                name="by the net",
+                run=_SECOND + "pseudo_axis_by_net",
+                form="support",
+                routes=(
+                    "angles of the net",
+                    "PIII in float64",
+                ),
+                mutants=(
+                    Mutant(name="the other axis", given={"axis": "new"}),
+                    Mutant(name="2 % more", given={"factor": "102/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.cut-location",
@@ -226,6 +566,48 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.amsler-data", "eq:angle"),
+        checks=(
+            Check(
+                name="contour meets circle",
+                run=_CUTS + "location",
+                part="where",
+                routes=(
+                    "certified PIII",
+                    "bounds of the distance by paths",
+                ),
+                mutants=(
+                    Mutant(name="R = 1.08", given={"radius": "27/25"}, near=True),
+                    Mutant(name="R = 1", given={"radius": "1"}),
+                ),
+            ),
+            Check(
+                name="rest of the disk",
+                run=_CUTS + "kept_below",
+                part="what is left",
+                routes=(
+                    "rim of the continuum",
+                    "contour by PIII",
+                ),
+                mutants=(
+                    Mutant(name="cut 1 % nearer", given={"share": "99/100"}, near=True),
+                    Mutant(name="cut 10 % farther", given={"share": "11/10"}),
+                ),
+            ),
+            Check(
+                name="by the net",
+                run=_CUTS + "location_by_net",
+                form="support",
+                part="where",
+                routes=(
+                    "net by angles and frames",
+                    "continuum on the hyperboloid",
+                ),
+                mutants=(
+                    Mutant(name="first order", given={"expected": 1}),
+                    Mutant(name="level 0.74 pi", given={"level": "37/50"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.cut-angle",
@@ -235,6 +617,20 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"At the cut location $\varphi(u^*, v^*) < \phi^* < \pi$.",
         hypotheses=(_EXAMPLE,),
         rests_on=("4.1.cut-location",),
+        checks=(
+            Check(
+                name="angle at the cut",
+                run=_CUTS + "angle_at_cut",
+                routes=(
+                    "certified PIII",
+                    "bound of u* by distances",
+                ),
+                mutants=(
+                    Mutant(name="phi* = pi/2", given={"level": "1/2"}),
+                    Mutant(name="phi* below 0.7 pi", given={"lower": "7/10"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.cut-radius",
@@ -247,6 +643,21 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_EXAMPLE,),
         rests_on=("4.1.cut-location", "eq:hyp_radius"),
+        checks=(
+            Check(
+                name="distance of the cut",
+                run=_CUTS + "radius_at_cut",
+                routes=(
+                    "certified PIII",
+                    "bound of u* by distances",
+                ),
+                mutants=(
+                    Mutant(name="below 0.42", given={"bound": "42/100"}),
+                    Mutant(name="R = 2", given={"radius": "2"}),
+                    Mutant(name="a quarter of the edge", given={"inside": "1/4"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.two-new-curves",
@@ -265,6 +676,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:poincare-surgery", "4.1.inherited-topology"),
+        checks=(
+            Check(
+                name="random curves",
+                run=_SURGERY + "free_curves",
+                routes=(
+                    "sectors by advance of angles",
+                    "(poincare-ddg) and places along the seams",
+                ),
+                mutants=(
+                    Mutant(name="one new curve", given={"rays": 1}, near=True),
+                    Mutant(name="edges 1 % longer", given={"stretch": "101/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.three-equal-angles",
@@ -276,6 +701,50 @@ CLAIMS: tuple[Claim, ...] = (
             "of the sector removed."
         ),
         rests_on=("eq:trisect", "eq:poincare-surgery", "eq:angle"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_SURGERY + "three_equal",
+                routes=(
+                    "printed directions",
+                    "thirds of the angle",
+                ),
+                mutants=(Mutant(name="halves", given={"divisor": 2}),),
+            ),
+            Check(
+                name="sums of arguments",
+                run=_SURGERY + "three_equal",
+                form="corrected",
+                given={"principal": False},
+                routes=(
+                    "printed directions",
+                    "thirds of the angle",
+                ),
+                mutants=(
+                    Mutant(name="principal values", given={"principal": True}),
+                    Mutant(name="halves", given={"divisor": 2}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"The directions $\frac13\arg(w_2 w_1^2)$, $\frac13\arg(w_2^2 w_1)$ trisect the "
+                "removed angle."
+            ),
+            corrected=(
+                r"They do if $\arg$ of a product stands for the sum of the arguments, $2\beta_1 "
+                r"+ \beta_2$ and $\beta_1 + 2\beta_2$, not for a value in $(-\pi, \pi]$."
+            ),
+            kind="ambiguous",
+            witness=(
+                r"In the example the removed angle is $0.5224\pi$, centred at $\pi/4$: then "
+                r"$\arg(w_2^2 w_1)$ is $1.0112\pi$, whose principal value is $-0.9888\pi$, and a "
+                r"third of it points $2\pi/3$ away. With $\beta_1 = -\frac{\pi}{100}$, $\beta_2 "
+                r"= \frac{51\pi}{100}$ the second direction comes out as $-\frac{33\pi}{100}$ "
+                r"instead of $\frac{101\pi}{300}$."
+            ),
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="4.1.four-branch-points",
@@ -291,6 +760,20 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) one cut per quadrant: second generation not yet added",
         ),
         rests_on=("4.1.cut-location", "eq:poincare-surgery", "4.1.branch-point-degree"),
+        checks=(
+            Check(
+                name="degrees and angle sums",
+                run=_SURGERY + "branch_points",
+                routes=(
+                    "complex of the cut net",
+                    "surgery on a grid of squares (theory)",
+                ),
+                mutants=(
+                    Mutant(name="three cuts", given={"cuts": 3}, near=True),
+                    Mutant(name="degree 8", given={"degree": 8}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.surgery-in-disk",
@@ -308,6 +791,20 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("lem:surgery", "4.1.four-branch-points"),
+        checks=(
+            Check(
+                name="shells about the branch point",
+                run=_SURGERY + "surgery_lemma",
+                routes=(
+                    "complex of the cut net",
+                    "rectangles attached at a corner",
+                ),
+                mutants=(
+                    Mutant(name="four new rays", given={"rays": 4}),
+                    Mutant(name="rays one edge longer", given={"length": 4}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.second-generation-meets-circle",
@@ -326,6 +823,31 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.cut-location", "eq:poincare-surgery"),
+        checks=(
+            Check(
+                name="edge of the daughter",
+                run=_SECOND + "second_meets_circle",
+                routes=(
+                    "angles of the daughter",
+                    "distances by frames",
+                ),
+                mutants=(Mutant(name="R = 1.4", given={"radius": "7/5"}, near=True),),
+            ),
+            Check(
+                name="outer sector by two routes",
+                run=_SECOND + "two_ways",
+                form="support",
+                routes=(
+                    "printed formulas in the disk",
+                    "advance of angles and frames",
+                ),
+                mutants=(
+                    Mutant(name="principal values in the trisection", given={"principal": True}),
+                    Mutant(name="halves", given={"divisor": 2}),
+                    Mutant(name="weights 1, 1", given={"weight": 1}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.second-cut-radius",
@@ -338,9 +860,39 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _EXAMPLE,
             "(used, not stated) the sector is that of panel (d), beside the middle one",
+            "(used, not stated) about: nearest of the circles of the figure, 0.5 apart",
             _FINE,
         ),
         rests_on=("4.1.second-generation-meets-circle", "eq:hyp_radius"),
+        checks=(
+            Check(
+                name="second cut",
+                run=_SECOND + "second_radius",
+                routes=(
+                    "nets by angles and frames",
+                    "contour and circle by splines",
+                ),
+                mutants=(
+                    Mutant(name="middle sector", given={"sector": "middle"}),
+                    Mutant(name="about 2", given={"value": "2"}),
+                    Mutant(name="within 0.12 of 1.5", given={"within": "12/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="outer sector by two routes",
+                run=_SECOND + "two_ways",
+                form="support",
+                routes=(
+                    "printed formulas in the disk",
+                    "advance of angles and frames",
+                ),
+                mutants=(
+                    Mutant(name="principal values in the trisection", given={"principal": True}),
+                    Mutant(name="halves", given={"divisor": 2}),
+                    Mutant(name="weights 1, 1", given={"weight": 1}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.two-generations-cover-more",
@@ -353,5 +905,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_EXAMPLE, "(used, not stated) after the second cuts have been made"),
         rests_on=("4.1.second-cut-radius", "4.1.cut-angle"),
+        checks=(
+            Check(
+                name="areas and angles",
+                run=_SECOND + "covered",
+                routes=(
+                    "areas of quads by angle defects",
+                    "area of the disk",
+                ),
+                mutants=(
+                    Mutant(name="first generation only", given={"generations": 1}),
+                    Mutant(name="angles below 2 pi/3", given={"level": "2/3"}),
+                    Mutant(name="angles below 0.73 pi", given={"level": "73/100"}, near=True),
+                ),
+            ),
+        ),
     ),
 )

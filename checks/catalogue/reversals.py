@@ -1,6 +1,10 @@
 """Claims of section 4.1, reversals of hyperbolic nets and ramification of their surfaces."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_REV = "checks.verify.reversals:"
+_FOLDS = "checks.verify.amsler_folds:"
+_RAM = "checks.verify.net_ramification:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -14,6 +18,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("$r$ is a smooth pseudospherical front in asymptotic coordinates",),
         rests_on=("eq:def_phi",),
+        checks=(
+            Check(
+                name="least stretch",
+                run=_REV + "singular_locus",
+                routes=(
+                    "Gram matrix of the metric",
+                    "inverse function theorem on its least eigenvalue",
+                ),
+                mutants=(
+                    Mutant(name="twice the cosine", given={"weight": 2}),
+                    Mutant(name="stretch 2 - |cos|", given={"floor": "2 - |cos|"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="reversal",
@@ -31,6 +49,99 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) the four neighbours of the node are in the net",
         ),
         rests_on=("eq:mobius", "4.1.hyperbolic-chebyshev-net"),
+        checks=(
+            Check(
+                name="instances",
+                run=_REV + "definition",
+                part="criterion",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(
+                    Mutant(name="strict inequality", given={"strict": True}),
+                    Mutant(name="three quads", given={"quads": 3}),
+                    Mutant(name="differences as they are", given={"moved": False}),
+                    Mutant(name="sum for product", given={"form": "sum"}),
+                ),
+            ),
+            Check(
+                name="folds, as printed",
+                run=_REV + "detects_folds",
+                part="captures folds",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(Mutant(name="sum for product", given={"form": "sum"}),),
+            ),
+            Check(
+                name="folds, quads not all alike",
+                run=_REV + "detects_folds",
+                form="corrected",
+                given={"form": "unequal"},
+                part="captures folds",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(
+                    Mutant(name="as printed", given={"form": "product"}),
+                    Mutant(name="sum for product", given={"form": "sum"}),
+                ),
+            ),
+            Check(
+                name="folds, one quad against three",
+                run=_REV + "detects_folds",
+                form="support",
+                given={"against": "one"},
+                part="captures folds",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(Mutant(name="all folds", given={"against": "any"}),),
+            ),
+            Check(
+                name="net folded along a line",
+                run=_REV + "folded_along_line",
+                form="support",
+                part="captures folds",
+                routes=(
+                    "exact net by half-turns",
+                    "(reversal) at its nodes",
+                ),
+                mutants=(
+                    Mutant(name="left strip below", given={"left": "below"}),
+                    Mutant(name="quads not all alike", given={"form": "unequal"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                "The condition that the product of the four orientations be at most $0$ "
+                "captures the folds of a net."
+            ),
+            corrected=(
+                "A net folds at a regular node when its four quads are not all oriented as the "
+                "net is: two may be flipped against two, and then the product is positive."
+            ),
+            kind="hypothesis",
+            witness=(
+                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{-12 + 5i}{13}$, "
+                r"$\frac12\cdot\frac{12 + 5i}{13}$ and $v$-neighbours $\pm\frac12$ all four "
+                "quads lie above the $v$-line, those to the left on those to the right; the "
+                r"factors are $-\frac5{52}, \frac5{52}, -\frac5{52}, \frac5{52}$ and their "
+                "product is positive."
+            ),
+            conclusion_survives=True,
+            remark=(
+                "This is a fold along a v-line which the u-lines touch from one side; the same "
+                "happens along a u-line. Where the edge crosses both families, as it does on "
+                "Amsler nets, some nodes on either side of it have one quad against three, so "
+                "that a reversal is seen there."
+            ),
+        ),
     ),
     Claim(
         id="4.1.reversal-mobius",
@@ -43,6 +154,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("all nodes are moved by the same map",),
         rests_on=("reversal", "eq:mobius"),
+        checks=(
+            Check(
+                name="images turn alike",
+                run=_REV + "moebius_invariance",
+                routes=(
+                    "printed maps over the rational functions of the points",
+                    "one factor for all neighbours",
+                ),
+                mutants=(
+                    Mutant(name="differences as they are", given={"moved": False}),
+                    Mutant(name="no conjugate below", given={"conjugated": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.reversal-orientation",
@@ -53,6 +178,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"The product of four terms in (reversal) is the same for $\omega$ and $-\omega$."
         ),
         rests_on=("reversal",),
+        checks=(
+            Check(
+                name="signs cancel",
+                run=_REV + "both_orientations",
+                routes=(
+                    "printed product",
+                    "the same with the other area form",
+                ),
+                mutants=(Mutant(name="three quads", given={"quads": 3}),),
+            ),
+        ),
     ),
     Claim(
         id="4.1.reversal-one-flipped",
@@ -76,6 +212,48 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("reversal",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_REV + "one_against_three",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(Mutant(name="three quads", given={"strict": True, "quads": 3}),),
+            ),
+            Check(
+                name="product below 0",
+                run=_REV + "one_against_three",
+                form="corrected",
+                given={"strict": True},
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(
+                    Mutant(name="as printed", given={"strict": False}),
+                    Mutant(name="three quads", given={"quads": 3}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                "Where the product is at most $0$, one of the four quads is flipped against the "
+                "three others."
+            ),
+            corrected=(
+                "Where the product is less than $0$; where it is $0$ a quad has collapsed, and "
+                "the others may be oriented in any way."
+            ),
+            kind="hypothesis",
+            witness=(
+                r"Node $0$ with the $u$-neighbours $\pm\frac12$ and the $v$-neighbours "
+                r"$-\frac12$, $-\frac i2$: the product is $0$, two quads have collapsed to "
+                "segments and the two others are oriented alike."
+            ),
+            conclusion_survives=True,
+        ),
     ),
     Claim(
         id="4.1.reversal-collinear",
@@ -93,6 +271,59 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("reversal",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_REV + "collinear",
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(
+                    Mutant(
+                        name="nodes without a reversal", given={"moved": True, "reversal": False}
+                    ),
+                ),
+            ),
+            Check(
+                name="moved to the origin",
+                run=_REV + "collinear",
+                form="corrected",
+                given={"moved": True},
+                routes=(
+                    "product of orientations in the disk (rationals)",
+                    "determinants of triples of the hyperboloid (rationals)",
+                ),
+                mutants=(
+                    Mutant(name="differences as they are", given={"moved": False}),
+                    Mutant(name="nodes without a reversal", given={"reversal": False}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"At a reversal the differences $\zeta_{j+1,k} - \zeta_{j,k}$, $\zeta_{j,k+1} - "
+                r"\zeta_{j,k}$ have passed through a common line."
+            ),
+            corrected=(
+                r"Their images under $f(\cdot; -\zeta_{j,k})$ have; chords of the disk between "
+                "points of one geodesic are collinear only if it passes through $0$."
+            ),
+            kind="ambiguous",
+            witness=(
+                r"Node $\frac12 + \frac i5$ with the $u$-neighbours $(\frac{5677}{18241}, "
+                r"-\frac{200}{18241})$, $(\frac{560}{1049}, \frac{437}{1049})$ and the "
+                r"$v$-neighbours $(\frac{137}{629}, \frac{140}{629})$, $(\frac{23020}{35461}, "
+                r"\frac{11977}{35461})$, all at the distance $2\operatorname{artanh}\frac13$: "
+                "(reversal) holds, yet the four products of the plain differences have the "
+                "signs of a net without a fold."
+            ),
+            conclusion_survives=True,
+            remark=(
+                "Both readings agree in the limit of short edges, up to the choice of a "
+                "neighbouring node."
+            ),
+        ),
     ),
     Claim(
         id="4.1.reversal-singular-edge",
@@ -107,6 +338,25 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) up to the mesh width: the edge lies within a quad of the node",
         ),
         rests_on=("4.1.reversal-collinear", "eq:angle", "4.1.discrete-conformal"),
+        checks=(
+            Check(
+                name="reversals of Amsler nets",
+                run=_FOLDS + "reversals_at_edges",
+                routes=(
+                    "(reversal) on nets by (poincare-ddg)",
+                    "zeros of phi - pi by the equation of Painleve",
+                ),
+                mutants=(
+                    Mutant(name="edges moved by 1/5", given={"shift": "1/5"}),
+                    Mutant(name="within a quarter of an edge", given={"width": "1/4"}),
+                    Mutant(
+                        name="edges moved by 1 %",
+                        given={"shift": "3/100", "width": "1/2"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="remark:ramification",
@@ -120,9 +370,76 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("remark:ramification",),
         hypotheses=(
-            "(used, not stated) every quad has the orientation of the net: there is no reversal",
+            (
+                "(used, not stated) every quad has the orientation of the net: it does not fold, "
+                "which is more than that there be no reversal"
+            ),
         ),
         rests_on=("4.1.discrete-conformal", "4.1.hyperbolic-chebyshev-net", "eq:unramified"),
+        checks=(
+            Check(
+                name="stars, as printed",
+                run=_RAM + "single_sheet",
+                part="condition",
+                routes=(
+                    "angles of triples",
+                    "directions counted in the disk",
+                ),
+                mutants=(
+                    Mutant(name="three quads", given={"folds": "excluded", "quads": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="stars without folds",
+                run=_RAM + "single_sheet",
+                form="corrected",
+                given={"folds": "excluded"},
+                part="condition",
+                routes=(
+                    "angles of triples",
+                    "directions counted in the disk",
+                ),
+                mutants=(
+                    Mutant(name="as printed", given={"folds": "allowed"}),
+                    Mutant(name="three quads", given={"quads": 3}, near=True),
+                ),
+            ),
+            Check(
+                name="K-surfaces",
+                run=_RAM + "surfaces",
+                part="surfaces",
+                routes=(
+                    "Lelieuvre formulas from nets of normals",
+                    "angles of the hyperbolic net",
+                ),
+                mutants=(
+                    Mutant(name="sum 3 pi", given={"turns": 3}),
+                    Mutant(name="surface stretched by 1 %", given={"stretch": "1/100"}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"Angle sums of $2\pi$ at interior nodes and less at boundary nodes leave no "
+                "ramification."
+            ),
+            corrected=(
+                "They do where all quads have the orientation of the net, so that it does not fold."
+            ),
+            kind="hypothesis",
+            witness=(
+                r"At the node $0$ with $u$-neighbours $\frac12\cdot\frac{\mp 12 + 5i}{13}$ and "
+                r"$v$-neighbours $\pm\frac12$ the four angles are $\beta, \pi - \beta, \beta, "
+                r"\pi - \beta$, of sum $2\pi$, yet every direction above the real axis lies in "
+                "two of the quads and none below it in any."
+            ),
+            conclusion_survives=True,
+            remark=(
+                "Such a net satisfies (poincare-ddg) on all its quads and has no node with "
+                "(reversal). Nets of the greedy algorithm have angles below pi in sectors of "
+                "one orientation, so the conclusion drawn for them is not touched."
+            ),
+        ),
     ),
     Claim(
         id="4.1.no-ramification-by-algorithm",
@@ -147,5 +464,19 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"the vertex has degree $2m \geq 6$",),
         rests_on=("remark:ramification", "lem:covering-number", "4.1.branch-point-degree"),
+        checks=(
+            Check(
+                name="winding of the normals",
+                run=_RAM + "normals",
+                routes=(
+                    "normals of K-surfaces of regular stars",
+                    "index of the smooth star",
+                ),
+                mutants=(
+                    Mutant(name="m times", given={"shift": 0}, near=True),
+                    Mutant(name="plain saddle too", given={"orders": "all"}),
+                ),
+            ),
+        ),
     ),
 )
