@@ -68,9 +68,11 @@ def sector_normals(sector: Sector, frame: SpaceFrame) -> FloatArray:
 
 
 def _require_normals(normals: FloatArray) -> None:
-    """Refuse what is no array (3, n + 1, m + 1) of finite numbers with a quad at least."""
+    """Refuse what is no array (3, n + 1, m + 1) of finite numbers with one quad or more."""
     if normals.ndim != 3 or len(normals) != 3 or min(normals.shape[1:]) < 2:
         raise ShapeError(f"normals of the shape {normals.shape}: give (3, n + 1, m + 1), n, m > 0")
+    if normals.dtype == object:  # exact scalars: symbols, balls, elements of a field
+        return
     wrong = np.argwhere(~np.isfinite(normals).all(axis=0))
     if len(wrong):
         raise NotFiniteError(f"the normal at vertex ({wrong[0, 0]}, {wrong[0, 1]}) is not finite")
@@ -79,7 +81,7 @@ def _require_normals(normals: FloatArray) -> None:
 def positions(normals: FloatArray, point: FloatArray) -> FloatArray:
     """Positions (3, n + 1, m + 1) of a net with these normals; `point` is that of vertex (0, 0).
 
-    Raises ShapeError, NotFiniteError naming the vertex.
+    Arrays of float64, or of objects that add and multiply exactly. Raises ShapeError, NotFiniteError naming the vertex.
     """
     _require_normals(normals)
     found = np.empty_like(normals)
