@@ -81,7 +81,8 @@ def _require_normals(normals: FloatArray) -> None:
 def positions(normals: FloatArray, point: FloatArray) -> FloatArray:
     """Positions (3, n + 1, m + 1) of a net with these normals; `point` is that of vertex (0, 0).
 
-    Arrays of float64, or of objects that add and multiply exactly. Raises ShapeError, NotFiniteError naming the vertex.
+    Arrays of float64, or of objects that add and multiply exactly. Raises ShapeError,
+    NotFiniteError naming the vertex.
     """
     _require_normals(normals)
     found = np.empty_like(normals)

@@ -3,6 +3,7 @@
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _ASSEMBLY = "checks.verify.discrete_assembly"
+_DOMAINS = "checks.verify.assembly_domains"
 _SEGMENTS = "checks.verify.boundary_segments"
 
 CLAIMS: tuple[Claim, ...] = (
@@ -275,7 +276,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="sizes",
-                run=f"{_ASSEMBLY}:domains",
+                run=f"{_DOMAINS}:domains",
                 routes=(
                     "printed rectangles",
                     "shipped star",
@@ -302,7 +303,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="onto-the-far-side",
-                run=f"{_ASSEMBLY}:attaching",
+                run=f"{_DOMAINS}:attaching",
                 routes=(
                     "rectangles glued by the printed maps",
                     "shipped star",
@@ -311,7 +312,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="onto-the-near-side",
-                run=f"{_ASSEMBLY}:attaching",
+                run=f"{_DOMAINS}:attaching",
                 form="corrected",
                 given={"onto": "0"},
                 routes=(
@@ -409,7 +410,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="parity",
-                run=f"{_ASSEMBLY}:families",
+                run=f"{_DOMAINS}:families",
                 routes=(
                     "parity of the curves",
                     "shipped star",

@@ -451,6 +451,20 @@ _THEOREM = (
                 ),
             ),
             Check(
+                name="disk of radius 3 k_max^2 epsilon",
+                run="checks.verify.normal_map_lemma:lemma",
+                form="corrected",
+                given={"power": "2"},
+                routes=(
+                    "theorem of John with the distortion in balls (theory.normal_distortion)",
+                    "surfaces near a folded corner (theory.folded_corner_surface, balls)",
+                ),
+                mutants=(
+                    Mutant(name="power 0", given={"power": "0"}),
+                    Mutant(name="power 1/2", given={"power": "1/2"}),
+                ),
+            ),
+            Check(
                 name="bound for all n",
                 run="checks.verify.branched_limits:common_distance",
                 form="corrected",
