@@ -48,6 +48,7 @@ _CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="disturbed normals",
                 run="checks.verify.robust_index:disturbed",
+                tier="full",
                 routes=(
                     "normals of Lelieuvre's surfaces, disturbed",
                     "order of the vertex in the complex",

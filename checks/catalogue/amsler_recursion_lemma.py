@@ -61,6 +61,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="rectangles that the contour can meet",
                 run=_LEMMA + "lemma",
+                tier="full",
                 form="corrected",
                 given={"meets": True},
                 routes=(_BESSEL, _CERTIFIED),

@@ -159,6 +159,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="comparison",
                 run=_ANGLE + "wronskian",
+                tier="full",
                 routes=(
                     "rate of z (U' V - U V') by both equations",
                     "kernel and iterates of the double integral",

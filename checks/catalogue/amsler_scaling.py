@@ -76,6 +76,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="geodesic disks",
                 run=_DISK + "nodes_of_disks",
+                tier="full",
                 form="support",
                 routes=("place of the lemma", "theory.amsler_disk (circle and contour, float64)"),
                 mutants=(
@@ -244,6 +245,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="twelve generations",
                 run=_SMALLEST + "recursion_run",
+                tier="full",
                 form="support",
                 routes=("phi_min with C' = sqrt(2 x_0/C)", _CERTIFIED),
                 mutants=(

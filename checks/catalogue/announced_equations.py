@@ -194,6 +194,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="branch points",
                 run="checks.verify.net_topology:inherited",
+                tier="full",
                 part="branch points",
                 routes=(
                     "combinatorial surgery and (poincare-ddg)",

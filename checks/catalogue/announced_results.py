@@ -213,6 +213,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="order of the limit",
                 run="checks.verify.robust_index:unbranched_limit",
+                tier="full",
                 routes=(
                     "indices of stars and of smooth surfaces",
                     "bound of the normals on a collar",
@@ -240,6 +241,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="surgeries on nets",
                 run="checks.verify.announced_nets:surgery_adds",
+                tier="full",
                 routes=(
                     "degrees of the glued complex",
                     "winding of the normal of Lelieuvre's surface",

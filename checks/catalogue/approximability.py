@@ -142,6 +142,7 @@ _CONSEQUENCES = (
             Check(
                 name="orders 3 to 6",
                 run=_CHECKS + "all_orders",
+                tier="full",
                 routes=(
                     "quadratic saddle over a star (theory.star_saddle)",
                     "index -1 required by (thm:branched)",

@@ -154,6 +154,7 @@ _PROPOSITION = (
             Check(
                 name="frames of the surface on both edges",
                 run=_RUN + "assembly_frames",
+                tier="full",
                 routes=(
                     "printed systems",
                     "angle theta_uv = sin theta and a carried frame, as series",
@@ -208,6 +209,7 @@ _PROPOSITION = (
             Check(
                 name="binormals of the edges",
                 run=_RUN + "boundary_normal",
+                tier="full",
                 routes=(
                     "Frenet-Serret on one edge, as series",
                     "angle and carried frame, as series",
@@ -261,6 +263,7 @@ _PROPOSITION = (
             Check(
                 name="fundamental forms on the rays",
                 run=_PROOF + "forms_on_rays",
+                tier="full",
                 routes=("stated forms", "sectors of either orientation, as series"),
                 mutants=(
                     Mutant(name="second form reversed", given={"sign": -1}),
@@ -270,6 +273,7 @@ _PROPOSITION = (
             Check(
                 name="ray from both sides",
                 run=_RUN + "glue",
+                tier="full",
                 routes=(
                     "sector on one side, as series",
                     "sector on the other side, as series",
@@ -334,6 +338,7 @@ _PROPOSITION = (
             Check(
                 name="as a graph",
                 run=_PROOF + "smooth_across",
+                tier="full",
                 routes=(
                     "projection of both sectors",
                     "series of N and r on the ray from both sides",

@@ -154,6 +154,7 @@ _QUAD_GRAPHS = (
             Check(
                 name="instances and near misses",
                 run=_DEFINITIONS + "asymptotic_complex",
+                tier="full",
                 routes=(
                     "printed conditions, face by face",
                     "discrete.asymptotic_complex, discrete.face_coordinates",
@@ -183,6 +184,7 @@ _QUAD_GRAPHS = (
             Check(
                 name="rectangles",
                 run=_DEFINITIONS + "face_coordinates",
+                tier="full",
                 routes=(
                     "sides of the printed rectangle",
                     "discrete.face_coordinates:FaceCoordinates",
@@ -339,6 +341,7 @@ _COLOURING = (
             Check(
                 name="any complex",
                 run=_COLOURING_CHECKS + "even_degree",
+                tier="full",
                 routes=("edges at the corners of faces", "degrees counted edge by edge"),
                 mutants=(
                     Mutant(name="multiples of 4", given={"modulus": 4}),
@@ -359,6 +362,7 @@ _COLOURING = (
             Check(
                 name="every fan",
                 run=_COLOURING_CHECKS + "edges_alternate",
+                tier="full",
                 routes=("printed alternation", "discrete.vertex_fan:vertex_fan"),
                 mutants=(
                     Mutant(name="edges two apart differ", given={"step": 2}),
@@ -388,6 +392,7 @@ _COLOURING = (
             Check(
                 name="of one parity",
                 run=_COLOURING_CHECKS + "dual_cycles_equal",
+                tier="full",
                 form="corrected",
                 given={"modulus": 2, "simply_connected": True},
                 routes=(
@@ -444,6 +449,7 @@ _COLOURING = (
             Check(
                 name="simply connected",
                 run=_COLOURING_CHECKS + "dual_cycles_even",
+                tier="full",
                 form="corrected",
                 given={"simply_connected": True},
                 routes=(
@@ -505,6 +511,7 @@ _COLOURING = (
             Check(
                 name="around every interior vertex",
                 run=_COLOURING_CHECKS + "link",
+                tier="full",
                 routes=("discrete.vertex_fan:vertex_fan", "degrees counted edge by edge"),
                 mutants=(
                     Mutant(name="one longer", given={"extra": 1}),
@@ -579,6 +586,7 @@ _COLOURING = (
             Check(
                 name="disk",
                 run=_TOPOLOGY + "disk",
+                tier="full",
                 routes=(
                     "homology modulo 2 by ranks",
                     "orientation, boundary and Euler characteristic",
@@ -613,6 +621,7 @@ _FRONTS = (
             Check(
                 name="tractrix front on two faces",
                 run=_FRONT_CHECKS + "branched_front",
+                tier="full",
                 routes=("printed Lelieuvre and Moutard equations", "theory.fronts:tractrix_front"),
                 mutants=(
                     Mutant(name="second face mirrored", given={"change": "mirrored"}),
@@ -640,6 +649,7 @@ _FRONTS = (
             Check(
                 name="sides and curves",
                 run=_FRONT_CHECKS + "quadrilateral",
+                tier="full",
                 routes=("discrete.asymptotic_complex (sides)", "theory.fronts:tractrix_front"),
                 mutants=(
                     Mutant(name="opposite sides of two families", given={"step": 2}),

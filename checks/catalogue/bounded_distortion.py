@@ -167,6 +167,7 @@ _LEMMA = (
             Check(
                 name="nets",
                 run="checks.verify.double_point:on_nets",
+                tier="full",
                 form="support",
                 routes=("half-turn nets in S^2 and H^2, Newton's method", "certified bounds"),
                 mutants=(
@@ -242,6 +243,7 @@ _LEMMA = (
             Check(
                 name="search over translation nets",
                 run=_SEARCHES + "threshold",
+                tier="full",
                 form="support",
                 given={"item": "one-to-one", "k_max": "4.33", "below": "4.31"},
                 routes=("optimiser (checks.searches.normal_map)", "rays from the centre"),
@@ -314,6 +316,7 @@ _LEMMA = (
             Check(
                 name="search over translation nets",
                 run=_SEARCHES + "threshold",
+                tier="full",
                 form="support",
                 given={"item": "collar", "k_max": "11.9", "below": "11.8"},
                 routes=("optimiser (checks.searches.normal_map)", "rays from the centre"),
@@ -803,6 +806,7 @@ _JOHN = (
             Check(
                 name="search over translation nets",
                 run=_SEARCHES + "john_search",
+                tier="full",
                 form="support",
                 routes=("optimiser (checks.searches.john)", "rays from the centre"),
                 mutants=(

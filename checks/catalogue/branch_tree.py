@@ -116,6 +116,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="limit",
                 run=_COUNT + "disk_area",
+                tier="full",
                 routes=("printed law", "integral of the area element of the disk model"),
                 mutants=(
                     Mutant(name="exp(2 R)", given={"rate": "2"}),
@@ -175,6 +176,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="quotient of areas",
                 run=_COUNT + "number",
+                tier="full",
                 routes=("printed law", "areas of disks of radius R and sqrt R"),
                 mutants=(
                     Mutant(name="exp(R - 2 sqrt R)", given={"factor": "2"}),

@@ -84,6 +84,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="on nets, all angles",
                 run="checks.verify.discrete_charges:balance",
+                tier="full",
                 form="support",
                 routes=(
                     "counts and fractions of pi at the corners, written out",
@@ -98,6 +99,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="on hyperbolic nets",
                 run=_NETS + "floats",
+                tier="full",
                 form="support",
                 routes=(
                     "angles advanced without coordinates (discrete.branched_net)",
@@ -113,6 +115,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="on hyperbolic nets, in balls",
                 run=_NETS + "balls",
+                tier="full",
                 form="support",
                 routes=(
                     "angles advanced without coordinates (discrete.angle_advance)",

@@ -43,6 +43,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="any-corner",
                 run=f"{_SURGERY}:surgery",
+                tier="full",
                 routes=(
                     "surgery in balls",
                     "necessary angles at the far ends",
@@ -298,6 +299,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="degree-and-sum",
                 run=f"{_SURGERY}:closes_corner",
+                tier="full",
                 routes=(
                     "surgery in balls",
                     "printed interior sum of the new degree",

@@ -55,6 +55,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="normal and lines in space",
                 run="checks.verify.robust_index:encoded",
+                tier="full",
                 routes=(
                     "degrees and fans of the complex",
                     "winding of the normal and bearings of the edges of Lelieuvre's surface",
@@ -162,6 +163,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="complex from places",
                 run="checks.verify.announced_nets:encodes_complex",
+                tier="full",
                 part="complex",
                 routes=(
                     "places of the quads in the disk",
@@ -175,6 +177,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="deformation",
                 run="checks.verify.net_deformation:composite",
+                tier="full",
                 part="deformation",
                 routes=(
                     "half-turns of triples of H^2",
@@ -207,6 +210,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="degrees and classes",
                 run="checks.verify.announced_nets:distinguishes",
+                tier="full",
                 routes=(
                     "degree in the complex of the net",
                     "Hessians of saddles over stars",

@@ -83,6 +83,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="below, cell by cell",
                 run=_QUADRATIC + "below",
+                tier="full",
                 form="support",
                 routes=("printed f_2", "enclosures of f_1 on cells of [0, 4]"),
                 mutants=(

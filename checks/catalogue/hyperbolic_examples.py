@@ -210,6 +210,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="against arc length",
                 run=_FOLDS + "radii",
+                tier="full",
                 routes=(
                     "printed distance of nodes",
                     "geodesics of the surface by Runge-Kutta",
@@ -222,6 +223,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="edge seen from the crossing",
                 run=_FOLDS + "visible",
+                tier="full",
                 form="support",
                 routes=(
                     "bearings by frames",
@@ -247,6 +249,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="two K-surfaces",
                 run=_FOLDS + "two_surfaces",
+                tier="full",
                 part="surface",
                 routes=(
                     "Lelieuvre formulas from normals",
@@ -260,6 +263,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="against the front",
                 run=_FOLDS + "surface",
+                tier="full",
                 part="continuation",
                 routes=(
                     "K-surface",
@@ -338,6 +342,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="count against extent",
                 run=_FOLDS + "three_curves",
+                tier="full",
                 routes=(
                     "(reversal) on printed nets",
                     "zeros of phi - pi",
@@ -371,6 +376,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="panel (a)",
                 run=_FOLDS + "folds_back",
+                tier="full",
                 part="a",
                 routes=(
                     "quads of the net in the Klein model",
@@ -385,6 +391,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="panels (b) and (c)",
                 run=_SURGERY + "branch_points",
+                tier="full",
                 part="c",
                 routes=(
                     "complex of the cut net",
@@ -398,6 +405,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="class of the glued surface",
                 run=_SECOND + "bounded_curvature",
+                tier="full",
                 part="class",
                 routes=(
                     "angles of the sectors on three nets",
@@ -426,6 +434,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="quads over points",
                 run=_FOLDS + "folds_back",
+                tier="full",
                 routes=(
                     "quads of the net in the Klein model",
                     "edge by PIII",
@@ -439,6 +448,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="edge seen from the crossing",
                 run=_FOLDS + "visible",
+                tier="full",
                 form="support",
                 routes=(
                     "bearings by frames",
@@ -472,6 +482,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="first cut of panel (b)",
                 run=_CUTS + "location_by_net",
+                tier="full",
                 part="b",
                 routes=(
                     "net by angles and frames",
@@ -485,6 +496,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="complex of panel (c)",
                 run=_SURGERY + "surgery_lemma",
+                tier="full",
                 part="c",
                 routes=(
                     "complex of the cut net",
@@ -537,6 +549,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="by the net",
                 run=_SECOND + "pseudo_axis_by_net",
+                tier="full",
                 form="support",
                 routes=(
                     "angles of the net",
@@ -583,6 +596,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="rest of the disk",
                 run=_CUTS + "kept_below",
+                tier="full",
                 part="what is left",
                 routes=(
                     "rim of the continuum",
@@ -596,6 +610,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="by the net",
                 run=_CUTS + "location_by_net",
+                tier="full",
                 form="support",
                 part="where",
                 routes=(
@@ -764,6 +779,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="degrees and angle sums",
                 run=_SURGERY + "branch_points",
+                tier="full",
                 routes=(
                     "complex of the cut net",
                     "surgery on a grid of squares (theory)",
@@ -795,6 +811,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="shells about the branch point",
                 run=_SURGERY + "surgery_lemma",
+                tier="full",
                 routes=(
                     "complex of the cut net",
                     "rectangles attached at a corner",
@@ -827,6 +844,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="edge of the daughter",
                 run=_SECOND + "second_meets_circle",
+                tier="full",
                 routes=(
                     "angles of the daughter",
                     "distances by frames",
@@ -836,6 +854,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="outer sector by two routes",
                 run=_SECOND + "two_ways",
+                tier="full",
                 form="support",
                 routes=(
                     "printed formulas in the disk",
@@ -868,6 +887,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="second cut",
                 run=_SECOND + "second_radius",
+                tier="full",
                 routes=(
                     "nets by angles and frames",
                     "contour and circle by splines",
@@ -881,6 +901,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="outer sector by two routes",
                 run=_SECOND + "two_ways",
+                tier="full",
                 form="support",
                 routes=(
                     "printed formulas in the disk",
@@ -909,6 +930,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="areas and angles",
                 run=_SECOND + "covered",
+                tier="full",
                 routes=(
                     "areas of quads by angle defects",
                     "area of the disk",

@@ -56,6 +56,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as defined",
                 run=_TOPOLOGY + "branch_points",
+                tier="full",
                 routes=(
                     "printed condition on the degree",
                     "winding of the normal of Lelieuvre's surface",
@@ -92,6 +93,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="nets on given complexes",
                 run=_TOPOLOGY + "inherited",
+                tier="full",
                 routes=(
                     "combinatorial surgery and (poincare-ddg)",
                     "half-turns of triples between equally spaced geodesics",
@@ -132,6 +134,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="quad by quad",
                 run=_STARS + "quad",
+                tier="full",
                 routes=(
                     "discrete.lelieuvre on half-turns of S^2, in a field of fractions",
                     "discrete.geodesics on half-turns of H^2",
@@ -284,6 +287,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="order of the mean",
                 run=_ANGLES + "order",
+                tier="full",
                 form="support",
                 given={"place": "mean of four, at the node", "order": 2},
                 routes=(
@@ -414,6 +418,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as printed",
                 run=_DISK + "equally_spaced_elsewhere",
+                tier="full",
                 routes=(
                     "printed formula",
                     "discrete.geodesics and item (A)",

@@ -132,6 +132,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="first term, growth, comparability",
                 run=_TRISECTION + "approximate",
+                tier="full",
                 routes=(
                     "arc tangent of the printed vector",
                     "its Taylor series and derivative",
@@ -335,6 +336,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="series",
                 run=_SECTORS + "side_sector",
+                tier="full",
                 part="series",
                 routes=(
                     _SERIES,
@@ -397,6 +399,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="series",
                 run=_SECTORS + "opposite_side_sector",
+                tier="full",
                 part="series",
                 routes=(
                     _SERIES,

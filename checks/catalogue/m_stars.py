@@ -75,6 +75,7 @@ _STARS = (
             Check(
                 name="a neighbourhood of the origin",
                 run=_SETS + "neighbourhood",
+                tier="full",
                 routes=(
                     "printed combination of two rays",
                     "strips and cones cut out by cross products, rational stars",
@@ -176,6 +177,7 @@ _STARS = (
             Check(
                 name="open, with common rays",
                 run=_SETS + "neighbourhood",
+                tier="full",
                 routes=(
                     "printed combination of two rays",
                     "strips and cones cut out by cross products, rational stars",

@@ -38,6 +38,7 @@ _MONKEY_SADDLE = (
             Check(
                 name="disk of radius 1",
                 run=_RUN + "monkey_saddle",
+                tier="full",
                 routes=(
                     "layout in the hyperboloid, Painleve III integrated",
                     "area of a disk of curvature -1",

@@ -72,6 +72,7 @@ _INDEX = (
             Check(
                 name="retraction",
                 run="checks.verify.normal_index:equator_retraction",
+                tier="full",
                 routes=(
                     "pi of a point at a given height over the equator",
                     "the point itself",
@@ -308,6 +309,7 @@ _COVERING = (
             Check(
                 name="index of stars",
                 run="checks.verify.normal_turning:covering_number",
+                tier="full",
                 routes=(
                     "lifts of the angles and preimages, from Lelieuvre",
                     "winding number of the gradient of the quadratic saddle",
@@ -321,6 +323,7 @@ _COVERING = (
             Check(
                 name="loops of finite size",
                 run="checks.verify.star_loops:winding_of_stars",
+                tier="full",
                 form="support",
                 routes=("normals of stars by Picard iteration", "1 - m_p"),
                 mutants=(
@@ -401,6 +404,7 @@ _COVERING = (
             Check(
                 name="motions",
                 run="checks.verify.normal_index:motion_invariant",
+                tier="full",
                 routes=(
                     "N of the moved surface, by cross products",
                     "retraction before the motion",

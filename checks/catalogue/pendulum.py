@@ -36,6 +36,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="size of the friction",
                 run=_PENDULUM + "dropped_friction",
+                tier="full",
                 routes=(
                     "bound 2/z",
                     _CERTIFIED,

@@ -334,6 +334,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="friction",
                 run=_AMPLITUDE + "amplitude_value",
+                tier="full",
                 form="corrected",
                 given={"form": "friction"},
                 part="value",

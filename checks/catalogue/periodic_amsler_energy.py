@@ -29,6 +29,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="index and smoothness at every point",
                 run=_POINT + "one_branch_point",
+                tier="full",
                 routes=("theory.star_saddle", "theory.asymptotic_net:general_net"),
                 mutants=(
                     Mutant(name="four sectors", given={"least_order": 2}),
@@ -118,6 +119,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="R/4 to 2R for all R from 1 on",
                 run=_GROWTH + "scaling",
+                tier="full",
                 routes=("theory.periodic_amsler (balls)", "theory.periodic_amsler_bounds"),
                 mutants=(
                     Mutant(name="R/2 from below", given={"lower": "1/2"}),
@@ -129,6 +131,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="bobbins on half the radius",
                 run=_GROWTH + "half_disk",
+                tier="full",
                 form="support",
                 routes=("cosh(R/2)", "theory.periodic_amsler:max_curvature"),
                 mutants=(
@@ -139,6 +142,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="phi is largest on the mirror lines",
                 run=_RIM + "largest_on_mirror",
+                tier="full",
                 form="support",
                 routes=("theory.amsler_ray", "Christoffel symbols of the net"),
                 mutants=(
@@ -157,6 +161,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="best number of sectors",
                 run=_RIM + "best_number",
+                tier="full",
                 form="support",
                 routes=(
                     "theory.periodic_amsler:best_sectors",
@@ -234,6 +239,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="below every multiple of exp(R)",
                 run=_GROWTH + "constant_bound",
+                tier="full",
                 form="support",
                 routes=("theory.periodic_amsler_bounds", "theory.periodic_amsler (balls)"),
                 mutants=(

@@ -28,6 +28,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="vertex by vertex",
                 run="checks.verify.net_deformation:composite",
+                tier="full",
                 routes=(
                     "half-turns of triples of H^2",
                     "discrete.lelieuvre on half-turns of S^2",
@@ -40,6 +41,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="in the limit",
                 run="checks.verify.net_deformation:limit",
+                tier="full",
                 form="support",
                 routes=(
                     "half-turns of triples of H^2",
@@ -176,6 +178,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as printed",
                 run=_DISK + "isometry",
+                tier="full",
                 routes=(
                     "printed formula",
                     "metric of the disk, unit vectors",
@@ -308,6 +311,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as printed",
                 run=_DISK + "equally_spaced_elsewhere",
+                tier="full",
                 routes=(
                     "printed formula",
                     "discrete.geodesics and item (A)",

@@ -172,6 +172,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="corrected",
                 run=_NETS + "normalised",
+                tier="full",
                 form="corrected",
                 given={"modulus": "tanh(Delta/2)"},
                 routes=(
@@ -297,6 +298,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as printed",
                 run=_NETS + "rule",
+                tier="full",
                 routes=(
                     "printed formula",
                     "discrete.quad_rule (half-turn of the hyperboloid)",

@@ -29,6 +29,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="incidences",
                 run=_DISK + "sketch",
+                tier="full",
                 routes=(_LAYOUT, "theory.painleve_float (contours)"),
                 mutants=(
                     Mutant(name="u_n* 1 % farther out", given={"share": "101/100"}, near=True),
@@ -94,6 +95,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="strips of the domain",
                 run=_DISK + "strip_of_disk",
+                tier="full",
                 routes=("intersection of the circle and the contour", _LAYOUT),
                 mutants=(
                     Mutant(name="1 % farther out", given={"share": "101/100"}, near=True),

@@ -78,6 +78,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="folds, quads not all alike",
                 run=_REV + "detects_folds",
+                tier="full",
                 form="corrected",
                 given={"form": "unequal"},
                 part="captures folds",
@@ -93,6 +94,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="folds, one quad against three",
                 run=_REV + "detects_folds",
+                tier="full",
                 form="support",
                 given={"against": "one"},
                 part="captures folds",
@@ -158,6 +160,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="images turn alike",
                 run=_REV + "moebius_invariance",
+                tier="full",
                 routes=(
                     "printed maps over the rational functions of the points",
                     "one factor for all neighbours",
@@ -225,6 +228,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="product below 0",
                 run=_REV + "one_against_three",
+                tier="full",
                 form="corrected",
                 given={"strict": True},
                 routes=(
@@ -288,6 +292,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="moved to the origin",
                 run=_REV + "collinear",
+                tier="full",
                 form="corrected",
                 given={"moved": True},
                 routes=(
@@ -342,6 +347,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="reversals of Amsler nets",
                 run=_FOLDS + "reversals_at_edges",
+                tier="full",
                 routes=(
                     "(reversal) on nets by (poincare-ddg)",
                     "zeros of phi - pi by the equation of Painleve",
@@ -380,6 +386,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="stars, as printed",
                 run=_RAM + "single_sheet",
+                tier="full",
                 part="condition",
                 routes=(
                     "angles of triples",
@@ -392,6 +399,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="stars without folds",
                 run=_RAM + "single_sheet",
+                tier="full",
                 form="corrected",
                 given={"folds": "excluded"},
                 part="condition",

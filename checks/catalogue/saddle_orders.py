@@ -37,6 +37,7 @@ _SADDLES = (
             Check(
                 name="instances and near-misses",
                 run=_ORDERS + "definition",
+                tier="full",
                 routes=(
                     "printed conditions",
                     "angle theta_uv = sin theta and a carried frame, as series",
@@ -260,6 +261,7 @@ _SADDLENESS = (
             Check(
                 name="centre, rays and interior",
                 run=_ORDERS + "order_elsewhere",
+                tier="full",
                 routes=(
                     "stars of the asymptotic angles at the point",
                     "normal on a ray from both sides, as series",

@@ -93,6 +93,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="search among smooth disks",
                 run="checks.verify.smooth_disk_search:smooth_disk_search",
+                tier="full",
                 form="support",
                 routes=(
                     "checks.searches.smooth_disks (nets in H^2)",

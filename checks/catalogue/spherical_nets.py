@@ -35,6 +35,7 @@ _NETS: tuple[Claim, ...] = (
             Check(
                 name="instances-and-near-misses",
                 run=f"{_ANGLES}:net_definition",
+                tier="full",
                 routes=(
                     "rational stars by the shipped assembly",
                     "the three conditions as printed",
@@ -599,6 +600,7 @@ _REMARKS: tuple[Claim, ...] = (
             Check(
                 name="orders-of-refinement",
                 run=f"{_LIMIT}:continuum_limit",
+                tier="full",
                 routes=(
                     "shipped fill and summation from two sides",
                     "explicit surfaces; Painleve III",

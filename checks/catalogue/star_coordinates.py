@@ -152,6 +152,7 @@ _COORDINATES = (
             Check(
                 name="two constants",
                 run=_SETS + "bi_lipschitz",
+                tier="full",
                 routes=(
                     "bound by the part normal to the ray",
                     "squared distances at rational points",

@@ -339,6 +339,7 @@ _ASSEMBLED: tuple[Claim, ...] = (
             Check(
                 name="curvature and sectors",
                 run=_FRONTS + "immersed",
+                tier="full",
                 routes=(
                     "N_u x N_v against r_u x r_v for any unit normal",
                     "printed rays, by their half-angle",

@@ -60,6 +60,7 @@ _INJECTIVE = (
             Check(
                 name="bound of |N - N(p)|",
                 run="checks.verify.normal_separation:separation",
+                tier="full",
                 form="support",
                 routes=(
                     "Gauss-Weingarten equations and a cone of directions",
@@ -272,6 +273,7 @@ _INJECTIVE = (
             Check(
                 name="extension of a sector",
                 run="checks.verify.normal_separation:sector_extension",
+                tier="full",
                 routes=(
                     "Goursat series from two curves",
                     "stars of angles alpha, pi - alpha, alpha, pi - alpha",
@@ -349,6 +351,7 @@ _THEOREM = (
             Check(
                 name="order of the limit",
                 run="checks.verify.branched_limits:branched_limit",
+                tier="full",
                 form="support",
                 routes=(
                     "degrees of stars and of smooth saddles",
@@ -363,6 +366,7 @@ _THEOREM = (
             Check(
                 name="search for a smooth saddle near the monkey saddle",
                 run="checks.verify.branch_searches:smooth_near_star_search",
+                tier="full",
                 form="support",
                 routes=(
                     "cells of a Chebyshev net, minimised",
@@ -506,6 +510,7 @@ _THEOREM = (
             Check(
                 name="circles of several radii",
                 run="checks.verify.branched_limits:common_circle",
+                tier="full",
                 routes=(
                     "bound of |N - N(p)|",
                     "degrees along circles, in balls",
@@ -534,6 +539,7 @@ _THEOREM = (
             Check(
                 name="index of smooth immersions",
                 run="checks.verify.branched_limits:smooth_index",
+                tier="full",
                 routes=(
                     "degrees along circles on fronts, in balls",
                     "stars of C^2 saddles",
