@@ -10,7 +10,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-Kernel = Callable[..., None]
+Kernel = Callable[..., Any]
 
 
 @cache
@@ -27,12 +27,13 @@ def stamp_of(*bodies: Callable[..., Any]) -> str:
     return "".join(_known_to_numba(body) for body in bodies)
 
 
-def compiled(kernel: Kernel) -> Kernel:
+def compiled(kernel: Kernel, *, nogil: bool = False) -> Kernel:
     """Compiled form of a kernel whose closure holds its stamp; numba is imported here.
 
-    Division by zero gives inf or NaN, as in arrays; no reordering, no contraction.
+    Division by zero gives inf or NaN, as in arrays; no reordering, no contraction. nogil: whether
+    other threads run meanwhile.
     """
     from numba import njit
 
-    found: Kernel = njit(cache=True, error_model="numpy")(kernel)
+    found: Kernel = njit(cache=True, error_model="numpy", nogil=nogil)(kernel)
     return found
