@@ -1,4 +1,4 @@
-"""Goursat problem of a sector solved row by row: an ordinary equation in v for the rows u -> phi, x.
+"""Goursat problem of a sector solved row by row: an equation in v for the rows u -> phi, x.
 
 d/dv phi(u, v) = phi_v(0, v) + int_0^u sin phi du', and likewise x_uv = cos(phi) x: spectral in u,
 DOP853 in v. Float64, tolerances stated; scipy is imported when a function is called.
@@ -6,6 +6,7 @@ DOP853 in v. Float64, tolerances stated; scipy is imported when a function is ca
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from math import cosh, inf, pi
 from typing import Any
 
@@ -105,7 +106,7 @@ def first_crossing(first: Side, second: Side, radius: float, cutoff: float) -> C
     largest, part = -inf, (0.0, inf)
     for start, end, row in rows(first, second):
         points = np.linspace(start, end, ROWS + 1)
-        for before, v in zip(points, points[1:], strict=False):
+        for before, v in pairwise(points):
             below, reached = part, part_in_disk(row(v), radius, part)
             if reached is None:
                 return Crossing(v=None, row=None, largest=largest)

@@ -127,7 +127,8 @@ def limit_tree(
     """
     if not (radius > 0 and 0 < phi0 < cutoff < pi):
         raise DomainError(
-            f"radius {radius}, phi0 {phi0}, cutoff {cutoff}: expected 0 < phi0 < cutoff < pi"
+            f"radius {radius}, phi0 {phi0}, cutoff {cutoff}: expected a positive radius and "
+            "0 < phi0 < cutoff < pi"
         )
     found = list(_tree(radius, phi0, cutoff, nodes, margin))
     cuts = tuple(cut for cut, _ in found if cut is not None)

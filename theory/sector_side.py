@@ -1,4 +1,4 @@
-"""Sides of a sector of the continuum as Chebyshev series: the angle phi and the points of H^2 along it.
+"""Sides of a sector of the continuum as Chebyshev series: the angle phi and the points of H^2.
 
 In asymptotic coordinates by arc length phi_uv = sin phi, and each coordinate x of the points in the
 hyperboloid (x0^2 - x1^2 - x2^2 = 1) satisfies x_uv = cos(phi) x, since its Hessian is x times the
