@@ -1,10 +1,10 @@
 """Cut of one sector: which quads it keeps in the disk, and the lines that bound what it loses.
 
-The vertices (i, j) in the closed disk whose angle exceeds the cutoff are all in the rows above k*
-and the columns beyond i*, the largest such numbers: the sector keeps the quads with i < i* or
-j < k*. Where the first row has such a vertex the step resolves no k*: 0 is taken, and the cut lies
-on the side; the same for i*. The first sweep goes over the rows below k*, the second over the
-columns before i* above it.
+The vertices (i, j) in the closed disk whose angle exceeds the cutoff, and the quads that meet the
+disk with an angle of pi or more, are all in the rows above k* and the columns beyond i*, the
+largest such numbers: the sector keeps the quads with i < i* or j < k*. Where the first row has such
+a vertex the step resolves no k*: 0 is taken, and the cut lies on the side; the same for i*. The
+first sweep goes over the rows below k*, the second over the columns before i* above it.
 """
 
 import inspect

@@ -7,6 +7,7 @@ over r. All states of a step lie in one flat array with constant offsets, so tha
 two of them overlap. A row leaves to the strip above it the angles A, half defects D and heights.
 """
 
+import math
 from typing import Any
 
 from discrete.clipped_quads import clipped_area
@@ -69,7 +70,7 @@ def advance(w: Any, run: Any, t: int, width: int, rows: int) -> None:
         follows = (w[TO + r] < 0) | (w[TO + r] == column - 1)
         near = ok & follows & (low < cosh_far)
         inside = near & (top <= cosh_r)
-        node = near & (h <= cosh_r)
+        node = near & ((h <= cosh_r) | (a >= math.pi))  # a quad that flips is bad wherever it is
         g = c - q
         area = 2 * d
         density = 2 * (norm + g * g) / (s * s)

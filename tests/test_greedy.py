@@ -1,6 +1,7 @@
 """The greedy algorithm covers the disk, and finds the same cuts as a plain fill of a sector."""
 
 import math
+import re
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
@@ -9,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from discrete.errors import AngleError, EdgeLengthError, ShapeError
 from discrete.exact_angle import ExactAngle
 from discrete.greedy import grown
 from discrete.greedy_parameters import GreedyParameters
@@ -40,12 +42,12 @@ def test_kept_quads_tile_the_disk(radius: object, sectors: int, cutoff: str) -> 
 
 
 @given(
-    radius=st.fractions(1, 4, max_denominator=50),
-    step=st.fractions(Fraction(1, 50), Fraction(1, 8), max_denominator=500),
-    sectors=st.sampled_from([4, 6, 8, 10, 16]),
-    share=st.fractions(Fraction(1, 5), Fraction(19, 20), max_denominator=40),
+    radius=st.fractions(Fraction(1, 2), 5, max_denominator=50),
+    step=st.fractions(Fraction(1, 50), Fraction(3, 10), max_denominator=500),
+    sectors=st.sampled_from([4, 6, 8, 10, 16, 40]),
+    share=st.fractions(Fraction(1, 100), Fraction(49, 50), max_denominator=100),
 )
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=300, deadline=None, derandomize=True)
 def test_any_disk_is_tiled(radius: Fraction, step: Fraction, sectors: int, share: Fraction) -> None:
     phi0 = Fraction(2, sectors)
     run = parameters(radius, step, sectors, phi0 + share * (1 - phi0))
@@ -133,3 +135,52 @@ def test_cut_on_a_side_is_counted() -> None:
     tree = grown(parameters(6, "1/2"))
     assert tree.unresolved_cuts > 0
     assert tree.area == pytest.approx(tree.parameters.area, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("changed", "error", "says"),
+    [
+        ({"radius": 0}, EdgeLengthError, "radius is 0: expected more than 0"),
+        ({"radius": 301}, EdgeLengthError, "at most 300"),
+        ({"radius": 3.0}, EdgeLengthError, "radius = 3.0: give an integer or a Fraction"),
+        ({"step": Fraction(0)}, EdgeLengthError, "step is 0"),
+        ({"radius": Fraction(1, 4), "step": Fraction(1, 3)}, EdgeLengthError, "at most the radius"),
+        ({"step": Fraction(3, 5)}, EdgeLengthError, "at most 1/2"),
+        ({"sectors": 2}, ShapeError, "even number of 4 or more"),
+        ({"sectors": 5}, ShapeError, "5 initial sectors"),
+        ({"sectors": 4.0}, ShapeError, "even integer"),
+        ({"cutoff": ExactAngle(half_turns=Fraction(1, 2))}, AngleError, "between phi0 = pi/2"),
+        ({"cutoff": ExactAngle(half_turns=Fraction(1))}, AngleError, "and pi"),
+        ({"cutoff": ExactAngle(radians=Fraction(22, 7))}, AngleError, "22/7"),
+    ],
+)
+def test_bad_parameters_are_refused(changed: dict, error: type[Exception], says: str) -> None:
+    usual = {
+        "radius": Fraction(3),
+        "step": Fraction(1, 50),
+        "sectors": 4,
+        "cutoff": ExactAngle(half_turns=Fraction(3, 4)),
+    }
+    with pytest.raises(error, match=re.escape(says)):
+        GreedyParameters(**{**usual, **changed})
+
+
+@pytest.mark.parametrize("limit", [0, -1, True, 1.5])
+def test_bad_limit_is_refused(limit: object) -> None:
+    with pytest.raises(ShapeError, match="max_cuts"):
+        grown(parameters(1), max_cuts=limit)
+
+
+@given(st.fractions(max_denominator=1000), st.fractions(max_denominator=1000))
+def test_sign_of_an_exact_angle(radians: Fraction, half_turns: Fraction) -> None:
+    angle = ExactAngle(radians=radians, half_turns=half_turns)
+    value = float(radians) + float(half_turns) * math.pi
+    assert angle.sign() == np.sign(value) if abs(value) > 1e-9 else True
+    assert (angle - angle).sign() == 0
+
+
+def test_sign_beyond_the_digits_of_float64() -> None:
+    close = ExactAngle(radians=Fraction("-3.14159265358979323846264338327950288"), half_turns=1)
+    assert close.sign() == 1
+    assert (ExactAngle() - close).sign() == -1
+    assert str(ExactAngle(half_turns=Fraction(-3, 4), radians=Fraction(1, 2))) == "1/2 + -3*pi/4"
