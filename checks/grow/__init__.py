@@ -1,0 +1,1 @@
+"""Runs of the greedy algorithm for a user: parameters from words, results as tables and JSON."""
