@@ -15,7 +15,7 @@ from discrete.goursat_kernel import fill_nodes
 from discrete.greedy_parameters import GreedyParameters
 from discrete.sector_cutter import CutSector
 from discrete.sector_sides import Place, SectorSides
-from discrete.sl2_frames import IDENTITY, Frame, advanced, triple_of, turned
+from discrete.side_kernel import hyperbolic_side_kernel
 from discrete.space_forms import H2
 
 FloatArray = npt.NDArray[np.float64]
@@ -43,13 +43,9 @@ class SectorQuads:
 
 def polyline(step: float, start: float, left_turns: FloatArray) -> FloatArray:
     """Vertices (3, n + 1) of a side from the origin, in this direction; left_turns[0] is unused."""
-    frame: Frame = turned(math, IDENTITY, start)
-    found = [triple_of(frame)]
-    for turn in [*left_turns[1:-1].tolist(), 0.0]:
-        frame = advanced(math, frame, step)
-        found.append(triple_of(frame))
-        frame = turned(math, frame, turn)
-    return np.array(found).T
+    found = np.empty((3, len(left_turns)))
+    hyperbolic_side_kernel()(step, start, left_turns, found)
+    return found
 
 
 def to_centre(place: Place) -> FloatArray:
