@@ -3,8 +3,10 @@
 import json
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 
 def canonical_json(data: Any) -> str:
@@ -12,15 +14,17 @@ def canonical_json(data: Any) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write text to path through a file beside it, so that a reader sees the old or the new whole.
+@contextmanager
+def replacing(path: Path) -> Iterator[IO[bytes]]:
+    """Binary stream whose content takes the place of path at the end, through a file beside it.
 
-    Raises OSError where the folder is missing or cannot be written; the old file then stands.
+    A reader sees the old or the new whole. Raises OSError where the folder is missing or cannot be
+    written; then, and where the block is left by an error, the old file stands.
     """
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=".kminusone-", suffix=".part")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(text)
+        with os.fdopen(handle, "wb") as stream:
+            yield stream
             stream.flush()
             os.fsync(stream.fileno())
         os.chmod(name, 0o666 & ~_umask())
@@ -28,6 +32,12 @@ def write_whole(path: Path, text: str) -> None:
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write text to path as `replacing` does. Raises OSError; the old file then stands."""
+    with replacing(path) as stream:
+        stream.write(text.encode("utf-8"))
 
 
 def _umask() -> int:

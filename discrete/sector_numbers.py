@@ -56,7 +56,7 @@ class VertexNumbers:
                 size = min(len(first), len(numbers))
                 numbers[:size, 0] = first[:size]
             if second is not None:
-                size = min(len(second), numbers.shape[1])
+                size = min(len(second), len(numbers[0]))
                 numbers[0, :size] = second[:size]
             fresh = np.flatnonzero((used & (numbers < 0)).ravel())
             numbers.ravel()[fresh] = self.count[0] + np.arange(len(fresh))
@@ -69,7 +69,7 @@ class VertexNumbers:
         self, path: str, sector: SectorSides, found: CutSector,
         images: list[tuple[int, IntArray, IntArray]],
     ) -> None:  # fmt: skip
-        """Leave to the daughters, and to the next sister, the numbers along the sides they share."""
+        """Leave to the daughters and to the next sister the numbers along shared sides."""
         for image, numbers, _ in images:
             if found.cut is not None:
                 i, k = found.cut
