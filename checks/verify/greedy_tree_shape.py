@@ -167,7 +167,7 @@ def one_parent(setting: Setting, *, step: str = "1/100", dropped: int = 1) -> Ev
             gap = distances(places[k], np.delete(places, k, axis=0)).min()
             if gap < 2 * float(Fraction(step)):
                 failures.append(f"two branch points {gap:.3g} apart")
-            if len(point.path) == 1:
+            if point.generation == 1:
                 continue
             parent = by_path.get(point.path[:-dropped])
             if parent is None or points[parent].generation != point.generation - 1:
@@ -180,7 +180,7 @@ def one_parent(setting: Setting, *, step: str = "1/100", dropped: int = 1) -> Ev
 
 
 def daughters(setting: Setting, *, most: int = 3, origin: bool = False) -> Evidence:
-    """Largest number of daughters of a branch point; origin: whether the centre is looked at too."""
+    """Largest number of daughters of a branch point; origin: whether the centre is one."""
     del setting
     failures: list[str] = []
     tried = 0
@@ -231,7 +231,7 @@ def amsler_nodes(setting: Setting, *, share: str = "1", origin: bool = False) ->
 
 
 def amsler_share(setting: Setting, *, share: str = "1/3", most: str = "1/2") -> Evidence:
-    """Share of the sectors between two geodesics, among those attached at a cut, and below `most`."""
+    """Share, below `most`, of the sectors between two geodesics among those attached at a cut."""
     del setting
     failures: list[str] = []
     tried = 0
