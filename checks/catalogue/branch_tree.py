@@ -69,9 +69,15 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed="4 generations of branch points in the disk of radius 4",
-            corrected="4 generations with the centre, which is no branch point for $m = 2$; 3 generations of $4 + 12 + 24$ branch points",
+            corrected=(
+                "4 generations with the centre, which is no branch point for $m = 2$; 3 "
+                "generations of $4 + 12 + 24$ branch points"
+            ),
             kind="ambiguous",
-            witness="$4 + 12 + 24$ branch points in $3$ generations for the edge lengths $1/25, 1/50, 1/100, 1/200$ and in the limit $0$",
+            witness=(
+                "$4 + 12 + 24$ branch points in $3$ generations for the edge lengths $1/25, "
+                "1/50, 1/100, 1/200$ and in the limit $0$"
+            ),
             conclusion_survives=True,
             remark="A fourth generation needs a larger disk, such as that of radius $9/2$.",
         ),
@@ -134,7 +140,10 @@ CLAIMS: tuple[Claim, ...] = (
                     "nets of four edge lengths",
                     "limit of edge length 0 (theory.greedy_limit)",
                 ),
-                mutants=(Mutant(name="R = 2", given={"radius": "2"}),),
+                mutants=(
+                    Mutant(name="R = 3", given={"radius": "3"}, near=True),
+                    Mutant(name="R = 2", given={"radius": "2"}),
+                ),
             ),
             Check(
                 name="R = 5",
@@ -146,16 +155,23 @@ CLAIMS: tuple[Claim, ...] = (
                     "limit of edge length 0 (theory.greedy_limit)",
                 ),
                 mutants=(
-                    Mutant(name="R = 9/2", given={"radius": "9/2"}),
+                    Mutant(name="R = 9/2", given={"radius": "9/2"}, near=True),
                     Mutant(name="R = 2", given={"radius": "2"}),
                 ),
             ),
         ),
         erratum=Erratum(
             printed="the leaves of the tree of radius 4 are at different depths",
-            corrected="so for $R = 5$; for $R = 4$ all $24$ leaves are in the third generation, for $R = 9/2$ all are in the fourth",
+            corrected=(
+                "so for $R = 5$; for $R = 4$ all $24$ leaves are in the third generation, for "
+                "$R = 9/2$ all are in the fourth"
+            ),
             kind="hypothesis",
-            witness="$R = 4$, $\\phi_0 = \\pi/2$, $\\phi^* = 3\\pi/4$: each of the $4 + 12$ branch points of the first two generations has daughters, none of the $24$ of the third has, for four edge lengths and in the limit",
+            witness=(
+                "$R = 4$, $\\phi_0 = \\pi/2$, $\\phi^* = 3\\pi/4$: each of the $4 + 12$ branch "
+                "points of the first two generations has daughters, none of the $24$ of the "
+                "third has, for four edge lengths and in the limit"
+            ),
             conclusion_survives=True,
             remark="",
         ),
@@ -180,7 +196,7 @@ CLAIMS: tuple[Claim, ...] = (
                 run="checks.verify.greedy_tree_shape:amsler_nodes",
                 routes=("distances on the hyperboloid", "four edge lengths"),
                 mutants=(
-                    Mutant(name="a tenth less", given={"share": "9/10"}),
+                    Mutant(name="1 % less", given={"share": "99/100"}, near=True),
                     Mutant(name="from the centre too", given={"origin": True}),
                 ),
             ),

@@ -174,14 +174,6 @@ CLAIMS: tuple[Claim, ...] = (
             "The points fall into two families, those of Amsler and of pseudo-Amsler sectors."
         ),
         hypotheses=(_RUN,),
-        checks=(
-            Check(
-                name="alpha^2 from 5/4 on",
-                run="checks.verify.greedy_frontier:two_families",
-                routes=("runs", "sides of the sectors"),
-                mutants=(Mutant(name="diagonals only", given={"marked": "diagonals"}),),
-            ),
-        ),
         rests_on=("fig:frontier", "5.1.most-sectors-pseudo-amsler"),
     ),
     Claim(
@@ -257,17 +249,6 @@ CLAIMS: tuple[Claim, ...] = (
             r"I_0(2\alpha_n^2)$."
         ),
         hypotheses=(_RUN,),
-        checks=(
-            Check(
-                name="counted",
-                run="checks.verify.greedy_frontier:violations",
-                routes=("runs", "printed bound"),
-                mutants=(
-                    Mutant(name="Amsler nodes", given={"family": "amsler"}),
-                    Mutant(name="more than 3/5", given={"least": "3/5"}),
-                ),
-            ),
-        ),
         rests_on=("5.1.two-families",),
     ),
     Claim(
