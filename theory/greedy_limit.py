@@ -40,7 +40,9 @@ class LimitTree:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Sector:
+class LimitSector:
+    """Sector between two sides from its corner; mirrored: whether it is its own mirror image."""
+
     path: str
     mirrored: bool
     first: Side
@@ -60,8 +62,8 @@ def _reach(radius: float, margin: float, point: Any, tangent: Any) -> float:
 
 
 def _daughters(
-    sector: _Sector, u: float, v: float, row: Side, column: Side, reach: tuple[float, float]
-) -> tuple[LimitCut, list[_Sector]]:
+    sector: LimitSector, u: float, v: float, row: Side, column: Side, reach: tuple[float, float]
+) -> tuple[LimitCut, list[LimitSector]]:
     at = row.at(u)
     angle, point = float(at[0]), at[1:]
     along, across = tangents(point, row.rate(u)[1:], column.rate(0.0)[1:], angle)
@@ -73,9 +75,9 @@ def _daughters(
     lower, upper = row.beyond(u, 2 * third), column.beyond(0.0, 2 * third)
     path, mirrored = sector.path, sector.mirrored
     found = [
-        _Sector(path=path + "u", mirrored=False, first=lower, second=rays[0]),
-        _Sector(path=path + "A", mirrored=mirrored, first=rays[1], second=rays[0]),
-        _Sector(path=path + "v", mirrored=False, first=rays[1], second=upper),
+        LimitSector(path=path + "u", mirrored=False, first=lower, second=rays[0]),
+        LimitSector(path=path + "A", mirrored=mirrored, first=rays[1], second=rays[0]),
+        LimitSector(path=path + "v", mirrored=False, first=rays[1], second=upper),
     ]
     cut = LimitCut(
         path=path,
@@ -88,9 +90,13 @@ def _daughters(
     return cut, found[:2] if mirrored else found
 
 
-def _cut(
-    sector: _Sector, radius: float, cutoff: float, margin: float
-) -> tuple[LimitCut | None, list[_Sector], float]:
+def cut_sector(
+    sector: LimitSector, radius: float, cutoff: float, margin: float
+) -> tuple[LimitCut | None, list[LimitSector], float]:
+    """Cut of a sector and its daughters, one of two that are mirror images, or None and none.
+
+    The last entry is the largest angle seen at the rim. margin: reach of the sides beyond the disk.
+    """
     lowest = first_crossing(sector.first, sector.second, radius, cutoff)
     if lowest.v is None or lowest.row is None:
         return None, [], lowest.largest
@@ -101,38 +107,79 @@ def _cut(
     return cut, found, cutoff
 
 
-def _tree(
-    radius: float, phi0: float, cutoff: float, nodes: int, margin: float
-) -> Iterator[tuple[LimitCut | None, float]]:
+def initial_sector(radius: float, phi0: float, nodes: int, margin: float) -> LimitSector:
+    """First sector at the centre, of this angle, its sides reaching the margin beyond the disk."""
     length, origin = radius + margin, [1.0, 0.0, 0.0]
     axes = [
         geodesic_side(length, nodes, phi0, origin, [0.0, cos(angle), sin(angle)])
         for angle in (0.0, phi0)
     ]
-    waiting = [_Sector(path="", mirrored=True, first=axes[0], second=axes[1])]
+    return LimitSector(path="", mirrored=True, first=axes[0], second=axes[1])
+
+
+def _tree(
+    radius: float, phi0: float, cutoff: float, nodes: int, margin: float, generations: int | None
+) -> Iterator[tuple[LimitCut | None, float]]:
+    waiting = [initial_sector(radius, phi0, nodes, margin)]
     while waiting:
         sector = waiting.pop()
-        cut, found, largest = _cut(sector, radius, cutoff, margin)
-        waiting.extend(reversed(found))
+        cut, found, largest = cut_sector(sector, radius, cutoff, margin)
+        if generations is None or len(sector.path) + 1 < generations:
+            waiting.extend(reversed(found))
         yield cut, largest
 
 
-def limit_tree(
-    radius: float, phi0: float, cutoff: float, *, nodes: int = 48, margin: float = 1.0
-) -> LimitTree:
-    """Cuts of one half of the first initial sector, in order from the centre, daughters u, A, v.
-
-    phi0, cutoff in radians, 0 < phi0 < cutoff < pi; nodes: of the Chebyshev series along a line.
-    Raises DomainError.
-    """
+def require_parameters(radius: float, phi0: float, cutoff: float) -> None:
+    """Raise DomainError unless 0 < phi0 < cutoff < pi and the radius is positive."""
     if not (radius > 0 and 0 < phi0 < cutoff < pi):
         raise DomainError(
             f"radius {radius}, phi0 {phi0}, cutoff {cutoff}: expected a positive radius and "
             "0 < phi0 < cutoff < pi"
         )
-    found = list(_tree(radius, phi0, cutoff, nodes, margin))
+
+
+def limit_tree(
+    radius: float,
+    phi0: float,
+    cutoff: float,
+    *,
+    nodes: int = 48,
+    margin: float = 1.0,
+    generations: int | None = None,
+) -> LimitTree:
+    """Cuts of one half of the first initial sector, in order from the centre, daughters u, A, v.
+
+    phi0, cutoff in radians, 0 < phi0 < cutoff < pi; nodes: of the Chebyshev series along a line;
+    generations: only so many generations of cuts, if given. Raises DomainError.
+    """
+    require_parameters(radius, phi0, cutoff)
+    found = list(_tree(radius, phi0, cutoff, nodes, margin, generations))
     cuts = tuple(cut for cut, _ in found if cut is not None)
     slack = min((cutoff - largest for cut, largest in found if cut is None), default=cutoff)
     return LimitTree(
         cuts=cuts, min_angle=min([phi0, *(cut.angle / 3 for cut in cuts)]), slack=slack
     )
+
+
+def limit_path(
+    radius: float, phi0: float, cutoff: float, path: str, *, nodes: int = 48, margin: float = 1.0
+) -> tuple[LimitCut, ...]:
+    """Cuts of the first initial sector and of those that the letters of a path lead to.
+
+    It ends early at a sector that is not cut. Arguments as for `limit_tree`; raises DomainError,
+    also for a letter that names no daughter (v names none of a sector symmetric to itself).
+    """
+    require_parameters(radius, phi0, cutoff)
+    sector, cuts = initial_sector(radius, phi0, nodes, margin), []
+    for letter in (*path, None):
+        cut, found, _ = cut_sector(sector, radius, cutoff, margin)
+        if cut is None:
+            break
+        cuts.append(cut)
+        if letter is None:
+            break
+        daughters = {daughter.path[-1]: daughter for daughter in found}
+        if letter not in daughters:
+            raise DomainError(f"path {path!r}: {letter!r} names no daughter of {sector.path!r}")
+        sector = daughters[letter]
+    return tuple(cuts)

@@ -8,6 +8,8 @@ from checks.stored import StoredRun, hashes, store
 NAMES = (
     "amsler_bounds",
     "efimov",
+    "greedy_limits",
+    "greedy_runs",
     "hilbert",
     "john",
     "nash_kuiper",

@@ -1,0 +1,278 @@
+"""Growth of energy, depth and number of branch points with the radius, from stored runs.
+
+Energies are those of the limit of edge length 0; numbers and depths those of the nets.
+"""
+
+from fractions import Fraction
+from math import log, pi, tan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from checks.evidence import Evidence, Setting
+from checks.searches.greedy_runs import SETS
+from checks.stored import load
+from checks.verify.greedy_samples import tree_of
+from checks.verify.greedy_tree_shape import found, stale
+from theory import periodic_amsler
+from theory.greedy_limit import limit_path
+
+Array = NDArray[np.float64]
+
+#: Difference of AIC from which on a law counts as refuted by another (Burnham and Anderson).
+DECISIVE = 10.0
+
+#: Exponents among which the best is looked for.
+POWERS = np.linspace(0.05, 1.5, 146)
+
+#: Radius from which on all runs have branch points.
+FIRST = 3
+
+
+def energies(sectors: str, cutoff: str) -> tuple[Array, Array]:
+    """Radii and log E_inf in the limit of edge length 0 (ebound)."""
+    radii, logs = [], []
+    for entry in load("greedy_limits").result["least"]:
+        if (entry["initial"], entry["cutoff"]) == (sectors, cutoff) and entry["least"]:
+            least = min(angle for angle, _, _ in entry["least"])
+            level = float(Fraction(cutoff)) * pi
+            radii.append(float(Fraction(entry["radius"])))
+            logs.append(log(max(1 / tan(least / 2), tan(level / 2))))
+    return np.array(radii), np.array(logs)
+
+
+def limit_sets() -> tuple[tuple[str, str], ...]:
+    """Initial sectors and cutoff of the stored limits."""
+    entries = load("greedy_limits").result["least"]
+    return tuple(dict.fromkeys((entry["initial"], entry["cutoff"]) for entry in entries))
+
+
+def spread(radii: Array, values: Array, power: float) -> tuple[float, Array]:
+    """Sum of squares left by the best a + c R^power, and (a, c)."""
+    columns = np.stack([np.ones_like(radii), radii**power], axis=1)
+    best: Array = np.asarray(np.linalg.lstsq(columns, values, rcond=None)[0], dtype=np.float64)
+    return float(np.sum((values - columns @ best) ** 2)), best
+
+
+def exponents(radii: Array, values: Array) -> tuple[float, float, float]:
+    """Best power of a + c R^power, and the ends of its interval of two standard deviations."""
+    left = np.array([spread(radii, values, power)[0] for power in POWERS])
+    inside = POWERS[left < left.min() * (1 + 4 / (len(radii) - 3))]
+    return float(POWERS[left.argmin()]), float(inside[0]), float(inside[-1])
+
+
+def _again(failures: list[str]) -> None:
+    """Two stored least angles of the limit recomputed along their paths with more nodes."""
+    for entry in load("greedy_limits").result["least"]:
+        if entry["radius"] not in ("6", "12"):
+            continue
+        angle, path, _ = min(entry["least"])
+        level = float(Fraction(entry["cutoff"])) * pi
+        phi0 = 2 * pi / int(entry["initial"])
+        cuts = limit_path(float(entry["radius"]), phi0, level, path, nodes=64)
+        if cuts[-1].path != path or abs(cuts[-1].angle / 3 / angle - 1) > 1e-7:
+            failures.append(f"R = {entry['radius']}: {cuts[-1].angle / 3} against {angle}")
+
+
+def energy_law(
+    setting: Setting, *, power: str = "1/2", lowest: int = FIRST, largest: int = 10
+) -> Evidence:
+    """Law log E = a + c R^power on the limit's energies, against R and against the best power.
+
+    It passes if the law R is worse by the decisive difference of AIC on every set, and fails if
+    the law is itself worse than the best power by as much on one; else it is undecided.
+    """
+    del setting
+    failures, told = stale("greedy_limits"), []
+    _again(failures)
+    better, tried = True, 0
+    given = float(Fraction(power))
+    for sectors, cutoff in limit_sets():
+        radii, values = energies(sectors, cutoff)
+        kept = (radii >= lowest) & (radii <= largest)
+        radii, values = radii[kept], values[kept]
+        tried += len(radii)
+        best, low, high = exponents(radii, values)
+        law, line, least = (spread(radii, values, p) for p in (given, 1.0, best))
+        against = len(radii) * log(line[0] / law[0])
+        short = len(radii) * log(law[0] / least[0])
+        better = better and against >= DECISIVE
+        text = (
+            f"2 m = {sectors}, phi* = {cutoff} pi, {lowest} <= R <= {largest}: best power "
+            f"{best:.2f} ({low:.2f} to {high:.2f}), c = {law[1][1]:.2f}, AIC of R less that of "
+            f"R^({power}) {against:.1f}, of R^({power}) less that of the best {short:.1f}"
+        )
+        told.append(text)
+        if short >= DECISIVE:
+            failures.append(text)
+    if failures or better:
+        return found(failures, shown="; ".join(told), tried=tried)
+    return Evidence(
+        outcome="undecided", grade="experiment", shown="; ".join(told), tried=tried, met=tried
+    )
+
+
+def conjecture(setting: Setting, *, power: str = "1/2") -> Evidence:
+    """What is known of log inf E_inf ~ R^power: refuted for powers above 1 by the bobbins.
+
+    log inf E_inf <= log cosh R < R. From below nothing is known that grows with R, and runs give
+    bounds from above on finitely many disks: no power up to 1 is decided.
+    """
+    del setting
+    if Fraction(power) > 1:
+        return found([f"log cosh R < R: over R^({power}) it tends to 0"], shown="", tried=1)
+    told = []
+    for sectors, cutoff in limit_sets():
+        radii, values = energies(sectors, cutoff)
+        kept = radii >= 8
+        best, low, high = exponents(radii[kept], values[kept])
+        told.append(f"{best:.2f} ({low:.2f} to {high:.2f})")
+    return Evidence(
+        outcome="undecided",
+        grade="experiment",
+        shown="the infimum is bounded from above by runs only: their best powers on "
+        f"8 <= R <= 16 are {' and '.join(told)}; no bound from below is known",
+        tried=len(told),
+        met=len(told),
+    )
+
+
+def below_smooth(setting: Setting, *, rival: str = "bobbin", stretch: str = "1") -> Evidence:
+    """Whether E_inf of bobbins over that of the branched surfaces grows from R = 4 on, above 1.
+
+    rival: `bobbin` (cosh R) or `amsler`, the best periodic Amsler surface (R <= 16); stretch:
+    factor of log E_inf of the branched surfaces.
+    """
+    del setting
+    failures, tried, told = stale("greedy_limits"), 0, []
+    for sectors, cutoff in limit_sets():
+        radii, values = energies(sectors, cutoff)
+        kept = radii >= 4
+        radii, values = radii[kept], float(Fraction(stretch)) * values[kept]
+        other = np.array([_rival(rival, int(radius)) for radius in radii])
+        gap = other - values
+        tried += len(radii)
+        told.append(f"{np.exp(gap[0]):.2f} at R = 4 to {np.exp(gap[-1]):.3g} at R = {radii[-1]:g}")
+        if gap[0] <= 0 or not (np.diff(gap) > 0).all():
+            k = int(np.argmin(np.diff(gap)))
+            failures.append(
+                f"2 m = {sectors}: quotient {np.exp(gap[k]):.3g} at R = {radii[k]:g}, "
+                f"{np.exp(gap[k + 1]):.3g} at the next"
+            )
+    return found(failures, shown=f"{rival} over branched: {'; '.join(told)}", tried=tried)
+
+
+def _rival(name: str, radius: int) -> float:
+    """Logarithm of E_inf of a rival."""
+    if name == "bobbin":
+        return log(np.cosh(radius))
+    return log(float(periodic_amsler.max_curvature(radius).ball().mid()))
+
+
+def _finest(sectors: str, cutoff: str) -> dict[str, dict[str, Any]]:
+    """Run of the smallest step for each radius."""
+    best: dict[str, dict[str, Any]] = {}
+    for run in load("greedy_runs").result["runs"]:
+        if (run["initial"], run["cutoff"]) != (sectors, cutoff):
+            continue
+        known = best.get(run["radius"])
+        if known is None or Fraction(run["step"]) < Fraction(known["step"]):
+            best[run["radius"]] = run
+    return best
+
+
+def _series(sectors: str, cutoff: str, name: str, lowest: float) -> tuple[Array, Array]:
+    runs = _finest(sectors, cutoff)
+    radii = sorted(Fraction(radius) for radius in runs if Fraction(radius) >= lowest)
+    return (
+        np.array([float(radius) for radius in radii]),
+        np.array([float(runs[str(radius)][name]) for radius in radii]),
+    )
+
+
+def _made_again(failures: list[str]) -> None:
+    """Stored numbers and depths of radius 7 against runs made now."""
+    for sectors, cutoff in SETS:
+        run = _finest(sectors, cutoff)["7"]
+        tree = tree_of("7", run["step"], sectors, cutoff)
+        if (tree.branch_point_count, tree.generations) != (
+            run["branch_points"],
+            run["generations"],
+        ):
+            failures.append(f"R = 7, 2 m = {sectors}: {tree.branch_point_count} branch points")
+
+
+def depth_law(
+    setting: Setting, *, power: str = "1", less: str = "0", tolerance: str = "1", largest: int = 13
+) -> Evidence:
+    """Whether the cut depth stays within the tolerance of some a + b (R^power - less sqrt R).
+
+    The depth is a whole number, so that a law it follows cannot be missed by 1; from R = 3 on.
+    """
+    del setting
+    failures, told, tried = stale("greedy_runs"), [], 0
+    _made_again(failures)
+    for sectors, cutoff in SETS:
+        radii, depth = _series(sectors, cutoff, "generations", FIRST)
+        kept = radii <= largest
+        radii, depth = radii[kept], depth[kept]
+        law = radii ** float(Fraction(power)) - float(Fraction(less)) * np.sqrt(radii)
+        columns = np.stack([np.ones_like(law), law], axis=1)
+        best = np.linalg.lstsq(columns, depth, rcond=None)[0]
+        worst = float(np.abs(depth - columns @ best).max())
+        tried += len(radii)
+        told.append(f"{best[0]:.2f} + {best[1]:.3f} x within {worst:.2f}")
+        if not worst < float(Fraction(tolerance)) or best[1] <= 0:
+            failures.append(f"2 m = {sectors}, phi* = {cutoff} pi: missed by {worst:.2f}")
+    return found(failures, shown=f"n on 3 <= R <= {largest}: {', '.join(told)}", tried=tried)
+
+
+def slope_grows(setting: Setting, *, sense: int = 1, largest: int = 10) -> Evidence:
+    """Whether the slope of the cut depth increases (sense 1) or decreases (-1) with R.
+
+    By the quadratic term of a fit from R = 3 on; undecided within two standard deviations of 0.
+    """
+    del setting
+    failures, told, sure, tried = stale("greedy_runs"), [], True, 0
+    for sectors, cutoff in SETS:
+        radii, depth = _series(sectors, cutoff, "generations", FIRST)
+        kept = radii <= largest
+        best, spread_of = np.polyfit(radii[kept], depth[kept], 2, cov=True)
+        term, error = float(best[0]), float(np.sqrt(spread_of[0, 0]))
+        tried += int(kept.sum())
+        told.append(f"{term:.3f} +- {error:.3f}")
+        sure = sure and sense * term > 2 * error
+        if sense * term < -2 * error or (sense < 0 and term > 0):
+            failures.append(f"2 m = {sectors}, phi* = {cutoff} pi: {told[-1]}")
+    shown = f"quadratic terms of the cut depth, R <= {largest}: {', '.join(told)}"
+    if failures or sure:
+        return found(failures, shown=shown, tried=tried)
+    return Evidence(outcome="undecided", grade="experiment", shown=shown, tried=tried, met=tried)
+
+
+def number_law(
+    setting: Setting, *, rate: str = "1", factor: str = "1", power: str = "1/2", lowest: int = 8
+) -> Evidence:
+    """Whether log N - (rate R - factor R^power) is without trend on R >= lowest, N branch points.
+
+    A trend is a slope of more than 0.03 in R, a third of the least that a near mutant leaves.
+    """
+    del setting
+    failures, told, tried = stale("greedy_runs"), [], 0
+    _made_again(failures)
+    for sectors, cutoff in SETS:
+        radii, number = _series(sectors, cutoff, "branch_points", lowest)
+        law = float(Fraction(rate)) * radii
+        law -= float(Fraction(factor)) * radii ** float(Fraction(power))
+        left = np.log(number) - law
+        slope = float(np.polyfit(radii, left, 1)[0])
+        tried += len(radii)
+        told.append(f"{slope:+.3f}")
+        if abs(slope) > 0.03:
+            failures.append(
+                f"2 m = {sectors}, phi* = {cutoff} pi: N over the law grows from "
+                f"{np.exp(left[0]):.3g} at R = {radii[0]:g} to {np.exp(left[-1]):.3g} at "
+                f"R = {radii[-1]:g}"
+            )
+    return found(failures, shown=f"slopes of log N less the law: {', '.join(told)}", tried=tried)
