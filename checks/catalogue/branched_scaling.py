@@ -1,6 +1,6 @@
 """Claims of the opening of section 5, the branched surfaces of the greedy algorithm."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Claim, Mutant
 
 _SCALING = "checks.verify.energy_scaling:"
 _LARGE = (
@@ -138,23 +138,6 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="R^(1/10)", given={"power": "1/10"}),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed="$\\exp(c\\sqrt{R})$ on $R \\leq 10$",
-            corrected=(
-                "so on $8 \\leq R \\leq 16$: $c \\approx 1.7$, best powers $0.46 \\pm 0.12$ "
-                "and $0.54 \\pm 0.13$; on $3 \\leq R \\leq 10$ the best power is $0.7$ to "
-                "$0.8$, and $\\exp(0.29 R)$ fits no worse than $\\exp(c\\sqrt{R})$"
-            ),
-            kind="hypothesis",
-            witness=(
-                "$\\phi_0 = \\pi/2$, $\\phi^* = 3\\pi/4$, edge length $0$: "
-                "$\\log\\mathcal{E}_\\infty = 2.374, 2.658, 2.954, 3.224, 3.504, 3.775, 4.050$ "
-                "at $R = 5, \\ldots, 11$ has differences $0.28, 0.30, 0.27, 0.28, 0.27, 0.28$, "
-                "which do not fall as those of $\\sqrt{R}$ do"
-            ),
-            conclusion_survives=True,
-            remark="Past $R = 11$ the differences fall, to $0.21$ at $R = 16$.",
         ),
         rests_on=("fig:energywithradius", "ebs"),
     ),

@@ -21,7 +21,7 @@ def colours(curvature: Any) -> Any:
 
 def _chunk(kind: bytes, data: bytes, fill: bytes) -> bytes:
     data += fill * (-len(data) % 4)
-    return np.uint32(len(data)).astype("<u4").tobytes() + kind + data
+    return len(data).to_bytes(4, "little") + kind + data
 
 
 def write_glb(stream: IO[bytes], mesh: Mesh) -> None:
@@ -34,7 +34,9 @@ def write_glb(stream: IO[bytes], mesh: Mesh) -> None:
     }
     arrays = [np.ascontiguousarray(values, dtype="<f4") for values in attributes.values()]
     indices = mesh.triangles().astype("<u4").ravel()
-    views, accessors, start = [], [], 0
+    views: list[dict[str, Any]] = []
+    accessors: list[dict[str, Any]] = []
+    start = 0
     for array in [*arrays, indices]:
         of_vertices = array is not indices
         views.append(

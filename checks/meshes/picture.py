@@ -1,7 +1,7 @@
 """Picture of a net in the Poincare disk, coloured by curvature, with its branch points."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -46,7 +46,7 @@ def _draw(axes: Any, figure: Any, tree: Any, net: Any) -> None:
     half = net.quad_angles / 2
     curvature = np.log10(np.maximum(np.tan(half), 1 / np.tan(half)))
     quads = PolyCollection(
-        np.stack([corners.real, corners.imag], axis=-1),
+        cast("Any", np.stack([corners.real, corners.imag], axis=-1)),
         array=curvature,
         cmap="magma_r",
         edgecolors="face",

@@ -75,13 +75,18 @@ def _again(failures: list[str]) -> None:
             failures.append(f"R = {entry['radius']}: {cuts[-1].angle / 3} against {angle}")
 
 
+def _from(lowest: float, radii: Array, values: Array) -> tuple[Array, Array]:
+    return radii[radii >= lowest], values[radii >= lowest]
+
+
 def energy_law(
     setting: Setting, *, power: str = "1/2", lowest: int = FIRST, largest: int = 10
 ) -> Evidence:
     """Law log E = a + c R^power on the limit's energies, against R and against the best power.
 
-    It passes if the law R is worse by the decisive difference of AIC on every set, and fails if
-    the law is itself worse than the best power by as much on one; else it is undecided.
+    It passes if the law R is worse by the decisive difference of AIC on every set. It fails if the
+    law is itself worse than the best power by as much on one, and its power lies outside the
+    interval of the best on 8 <= R <= 16 too; else it is undecided.
     """
     del setting
     failures, told = stale("greedy_limits"), []
@@ -104,7 +109,11 @@ def energy_law(
             f"R^({power}) {against:.1f}, of R^({power}) less that of the best {short:.1f}"
         )
         told.append(text)
-        if short >= DECISIVE:
+        far = exponents(*_from(8.0, *energies(sectors, cutoff)))
+        told[-1] += (
+            f"; on 8 <= R <= 16 the best power is {far[0]:.2f} ({far[1]:.2f} to {far[2]:.2f})"
+        )
+        if short >= DECISIVE and not far[1] <= given <= far[2]:
             failures.append(text)
     if failures or better:
         return found(failures, shown="; ".join(told), tried=tried)
