@@ -59,17 +59,6 @@ CLAIMS: tuple[Claim, ...] = (
             "conjectured",
             _LARGE,
         ),
-        checks=(
-            Check(
-                name="what is known",
-                run="checks.verify.greedy_growth:conjecture",
-                routes=("runs in the limit", "bobbins from above"),
-                mutants=(
-                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
-                    Mutant(name="R^2", given={"power": "2"}),
-                ),
-            ),
-        ),
         rests_on=("5.scaling-symbol", "ebound", "alg:greedy-cuts"),
     ),
     Claim(
@@ -127,18 +116,6 @@ CLAIMS: tuple[Claim, ...] = (
             r"With distributed branch points the energy seems to scale like $\exp(c\sqrt{R})$."
         ),
         hypotheses=(r"$R \leq 10$",),
-        checks=(
-            Check(
-                name="R <= 10",
-                run="checks.verify.greedy_growth:energy_law",
-                tier="full",
-                routes=("energies in the limit", "AIC of the laws"),
-                mutants=(
-                    Mutant(name="R^(2/5)", given={"power": "2/5"}, near=True),
-                    Mutant(name="R^(1/10)", given={"power": "1/10"}),
-                ),
-            ),
-        ),
         rests_on=("fig:energywithradius", "ebs"),
     ),
 )

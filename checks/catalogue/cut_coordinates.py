@@ -16,18 +16,6 @@ CLAIMS: tuple[Claim, ...] = (
             "cut one is."
         ),
         hypotheses=("(used, not stated) counted without the initial sectors",),
-        checks=(
-            Check(
-                name="counted",
-                run="checks.verify.greedy_tree_shape:amsler_share",
-                routes=("sectors of runs", "one of three"),
-                mutants=(
-                    Mutant(name="1 % off", given={"share": "101/300"}, near=True),
-                    Mutant(name="a half", given={"share": "1/2"}),
-                    Mutant(name="less than a third", given={"most": "1/3"}),
-                ),
-            ),
-        ),
         rests_on=("alg:greedy-cuts", "def:amsler-sector"),
     ),
     Claim(
