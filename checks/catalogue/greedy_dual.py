@@ -1,6 +1,12 @@
 """Claims of section 4.1, one branch point of high index and the dual of the greedy algorithm."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
+
+_ORDER = "checks.verify.greedy_dual_saddle_order:"
+_GENERATIONS = "checks.verify.greedy_dual_generations:"
+_FIRST = "checks.verify.greedy_dual_first_cut:"
+_COMPARISON = "checks.verify.greedy_dual_comparison:"
+_MONOTONE = "checks.verify.greedy_dual_monotone:"
 
 _DUAL = "$m$ as in the algorithm, $g$ as in item (1)"
 _MONO = r"$m \geq 6$, $\phi^* \leq \pi/2$"
@@ -25,6 +31,18 @@ CLAIMS: tuple[Claim, ...] = (
             "singular edges are farther than $R$ from it."
         ),
         rests_on=("def:amsler-sector", "PIII", "prop:assembly"),
+        checks=(
+            Check(
+                name="enough sectors",
+                run=_ORDER + "exists",
+                tier="full",
+                routes=(
+                    "length of the mirror line up to phi = pi (mpmath)",
+                    "theory.periodic_amsler (balls)",
+                ),
+                mutants=(Mutant(name="m_0 - 1", given={"offset": -1}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="fig:branchedpoincareimmersions",
@@ -82,6 +100,68 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.periodic-amsler", "PIII"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_ORDER + "scale",
+                routes=("printed e^R", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="R^(1/10) e^R", given={"power": "1/10"}, near=True),
+                    Mutant(name="R^(1/2) e^R", given={"power": "1/2"}),
+                ),
+            ),
+            Check(
+                name="with 1/sqrt(R)",
+                run=_ORDER + "scale",
+                form="corrected",
+                given={"power": "-1/2"},
+                routes=("R^(-1/2) e^R", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="R^(-2/5)", given={"power": "-2/5"}, near=True),
+                    Mutant(name="R^(-3/5)", given={"power": "-3/5"}, near=True),
+                    Mutant(name="as printed", given={"power": "0"}),
+                ),
+            ),
+            Check(
+                name="constant",
+                run=_ORDER + "constant",
+                form="support",
+                routes=("(pi/2) I_0(R)", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="1 % less", given={"factor": "99/100"}, near=True),
+                    Mutant(name="I_0(R)", given={"factor": "7/11"}),
+                ),
+            ),
+            Check(
+                name="bound from above",
+                run=_ORDER + "bound_above",
+                form="support",
+                tier="full",
+                routes=(
+                    "theory.periodic_amsler_bounds",
+                    "length of the mirror line up to phi = pi (mpmath)",
+                ),
+                mutants=(
+                    Mutant(name="0.62, below the limit by 1 %", given={"most": "31/50"}, near=True),
+                    Mutant(name="1/2", given={"most": "1/2"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$m_0 \sim C e^R$",
+            corrected=r"$m_0 \sim \sqrt{\pi/8}\, R^{-1/2} e^R$, the same as $\frac{\pi}{2} I_0(R)$",
+            kind="false",
+            witness=(
+                r"$m_0 e^{-R} = 0.1809, 0.1351, 0.0988, 0.0712, 0.0509$ at $R = 12, 22, 40, 77, "
+                r"151$ falls like $R^{-1/2}$, and $m_0 \leq 2.15\, R^{-1/2} e^R$ for all $R \geq "
+                "1$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "Read as a bound from above, $m_0 = O(e^R)$ is all that items (1) and (6) use: "
+                r"$g \sim R/\log 3$ and $\mathcal{E}_\infty < C' e^R$ stay."
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-1-generations",
@@ -97,6 +177,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) $m_0 > m/3$, so that $g \geq 0$",
         ),
         rests_on=("4.1.dual-saddle-order",),
+        checks=(
+            Check(
+                name="one g for every m and m_0",
+                run=_GENERATIONS + "generations",
+                routes=("printed condition, all g from -3 to 8", "m_0 <= m' < 3 m_0"),
+                mutants=(
+                    Mutant(name="<= on both sides", given={"closed": True}),
+                    Mutant(name="g + 1", given={"shift": 1}, near=True),
+                    Mutant(name="2^g m", given={"base": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-1-expected-depth",
@@ -108,6 +200,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"section 5.1; as $m_0 \sim C e^R$ it grows like $R / \log 3$."
         ),
         rests_on=("4.1.dual-1-generations",),
+        checks=(
+            Check(
+                name="growth of g",
+                run=_ORDER + "depth_growth",
+                form="support",
+                routes=("printed R/log 3", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="1 % more", given={"rate": "101/100"}, near=True),
+                    Mutant(name="2 R", given={"rate": "2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-2-first-step",
@@ -126,6 +230,47 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.dual-1-generations", "4.1.branch-point-degree"),
+        checks=(
+            Check(
+                name="degree of the vertex, as printed",
+                run=_GENERATIONS + "first_step",
+                routes=("printed number and degree", "sum of the charges of the vertices"),
+                mutants=(
+                    Mutant(name="3^(g+1)", given={"degree_shift": 1}, near=True),
+                    Mutant(name="m daughters", given={"daughters": 1}),
+                ),
+            ),
+            Check(
+                name="three sectors more",
+                run=_GENERATIONS + "first_step",
+                form="corrected",
+                given={"added": 3},
+                routes=("2m vertices of degree 3^g + 3", "sum of the charges of the vertices"),
+                mutants=(
+                    Mutant(name="two sectors more", given={"added": 2}, near=True),
+                    Mutant(name="3^(g-1)", given={"degree_shift": -1}, near=True),
+                    Mutant(name="m daughters", given={"daughters": 1}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="daughters of degree $3^g$",
+            corrected=(
+                "daughters of degree $3^g + 3$: each carries $3^g$ sectors outward, and has three "
+                "corners of the sector that it is moved into beside them"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$g = 1$: $3$ is odd, while interior vertices have even degrees; $m = 2$, $g = 1$: "
+                "four vertices of degree $6$ and a regular origin have the charge $4$ of the "
+                "vertex of degree $12$ that they come from"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "The paper has no other meaning of degree. Read as the number of sectors carried "
+                "outward, $3^g$ is right here, and item (3) then contradicts it."
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-2-stop-at-cutoff",
@@ -144,6 +289,21 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.dual-2-first-step",),
+        checks=(
+            Check(
+                name="angle over the arms",
+                run=_FIRST + "reaches_cutoff",
+                tier="full",
+                routes=(
+                    "nets by advanced angles, SL(2, R) frames",
+                    "v-lines on the hyperboloid, theory.painleve_float",
+                ),
+                mutants=(
+                    Mutant(name="one edge before", given={"shift": -1}, near=True),
+                    Mutant(name="two edges farther", given={"shift": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-2-same-cut",
@@ -166,6 +326,46 @@ CLAIMS: tuple[Claim, ...] = (
             "4.1.algorithm-12-cut-column",
             "4.1.algorithm-13-cut-row",
         ),
+        checks=(
+            Check(
+                name="as printed",
+                run=_FIRST + "same_cut",
+                tier="full",
+                routes=("stop at one largest angle", "steps 12 and 13 as they stand"),
+                mutants=(Mutant(name="j* + 1", given={"shift": 1}, near=True),),
+            ),
+            Check(
+                name="each arm",
+                run=_FIRST + "same_cut",
+                form="corrected",
+                given={"rule": "each"},
+                tier="full",
+                routes=("stop of either coordinate", "steps 12 and 13 as they stand"),
+                mutants=(
+                    Mutant(name="as printed", given={"rule": "one"}),
+                    Mutant(name="j* + 1", given={"shift": 1}, near=True),
+                    Mutant(name="j* - 1", given={"shift": -1}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"until the largest $\varphi$ over the growing sector equals $\phi^*$",
+            corrected=(
+                r"until the largest $\varphi$ over either arm, $[0, u_{\max}] \times [0, v]$ and "
+                r"$[0, u] \times [0, v_{\max}]$, equals $\phi^*$"
+            ),
+            kind="ambiguous",
+            witness=(
+                r"$m = 2$, $\phi^* = 3\pi/4$, $R = 3$, edges of $1/24$: the largest $\varphi$ "
+                "reaches the cutoff at nine vertices, $(5, k)$ and $(j, 5)$ with $j, k \\leq 5$, "
+                "of which $(5, 5)$ alone is $(j^*, k^*)$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "A daughter on the mirror line, moved along it, stops at the same place under both "
+                "readings; later sectors have no mirror line."
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-3-stage",
@@ -182,6 +382,66 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) degree is meant as in item (2); stage $1$ is the first step",
         ),
         rests_on=("4.1.dual-2-first-step",),
+        checks=(
+            Check(
+                name="charges, as printed",
+                run=_GENERATIONS + "stage",
+                part="degree of the vertex",
+                routes=("printed number and degree", "sum of the charges of the vertices"),
+                mutants=(
+                    Mutant(name="3^(g-k+1)", given={"degree_shift": 1}, near=True),
+                    Mutant(name="2 3^k m daughters", given={"number_shift": 1}, near=True),
+                ),
+            ),
+            Check(
+                name="sectors carried, as printed",
+                run=_GENERATIONS + "carried",
+                part="sectors carried",
+                routes=("printed stage 1", "printed first step, number of all sectors"),
+                mutants=(
+                    Mutant(name="3^(g-k-1)", given={"degree_shift": -1}, near=True),
+                    Mutant(name="2 3^k m daughters", given={"number_shift": 1}, near=True),
+                ),
+            ),
+            Check(
+                name="charges, 3^(g-k+1) + 3",
+                run=_GENERATIONS + "stage",
+                form="corrected",
+                part="degree of the vertex",
+                given={"degree_shift": 1, "added": 3},
+                routes=("2 3^(k-1) m vertices", "sum of the charges of the vertices"),
+                mutants=(
+                    Mutant(name="two sectors more", given={"added": 2}, near=True),
+                    Mutant(name="3^(g-k) + 3", given={"degree_shift": 0}, near=True),
+                    Mutant(name="2 3^k m daughters", given={"number_shift": 1}, near=True),
+                ),
+            ),
+            Check(
+                name="sectors carried, 3^(g-k+1)",
+                run=_GENERATIONS + "carried",
+                form="corrected",
+                part="sectors carried",
+                given={"degree_shift": 1},
+                routes=("stage 1", "printed first step, number of all sectors"),
+                mutants=(
+                    Mutant(name="as printed", given={"degree_shift": 0}, near=True),
+                    Mutant(name="2 3^k m daughters", given={"number_shift": 1}, near=True),
+                    Mutant(name="first step with 3^(g+1)", given={"first_shift": 1}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="daughters of degree $3^{g-k}$ at stage $k$",
+            corrected="$3^{g-k+1}$ sectors carried by each, of the degree $3^{g-k+1} + 3$",
+            kind="misprint",
+            witness=(
+                "$k = 1$ is the first step, whose daughters item (2) gives $3^g$: printed is "
+                "$3^{g-1}$; with it the daughters of any stage carry $2 \\cdot 3^{g-1} m$ of the "
+                "$2 \\cdot 3^g m$ sectors"
+            ),
+            conclusion_survives=True,
+            remark="The exponents of item (6) do not come from this one.",
+        ),
     ),
     Claim(
         id="4.1.dual-3-stop-at-cutoff",
@@ -227,6 +487,71 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("eq:hazzidakis",),
+        checks=(
+            Check(
+                name="as printed",
+                run=_COMPARISON + "linear_data",
+                routes=("ordered data on the axes", "series of the difference, exact bound"),
+                mutants=(
+                    Mutant(name="up to 1 % of the corner", given={"allowance": "1/100"}, near=True),
+                    Mutant(name="up to half of the corner", given={"allowance": "1/2"}),
+                ),
+            ),
+            Check(
+                name="ordered mixed sums",
+                run=_COMPARISON + "linear_data",
+                form="corrected",
+                given={"needs": "mixed sum"},
+                routes=("mixed sum of the data", "series of the difference, exact bound"),
+                mutants=(
+                    Mutant(name="as printed", given={"needs": "axes"}),
+                    Mutant(name="but for 1 %", given={"slack": "1/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="proof",
+                run=_COMPARISON + "kernel",
+                form="corrected",
+                part="proof",
+                given={"limit": "1/2"},
+                routes=("rate by mean and difference", "sin phi_2 - sin phi_1"),
+                mutants=(
+                    Mutant(name="phi < 0.505 pi", given={"limit": "101/200"}, near=True),
+                    Mutant(name="phi < pi", given={"limit": "1"}),
+                ),
+            ),
+            Check(
+                name="random data",
+                run=_COMPARISON + "solved",
+                form="support",
+                routes=("mixed sum of the data", "theory.goursat_float:sine_gordon"),
+                mutants=(
+                    Mutant(name="ordered axes", given={"needs": "axes"}),
+                    Mutant(name="but for 1 %", given={"slack": "1/100"}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                r"$\varphi_1(u, 0) \leq \varphi_2(u, 0)$ and $\varphi_1(0, v) \leq \varphi_2(0, v)$ "
+                r"give $\varphi_1 \leq \varphi_2$"
+            ),
+            corrected=(
+                r"$w(u, 0) + w(0, v) - w(0, 0) \geq 0$ on $J$ for $w = \varphi_2 - \varphi_1$ gives "
+                "it, and nothing less does on small rectangles"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"$u_0 = v_0 = \frac{1}{10}$, $\varphi_1 = 1$ on both axes, $\varphi_2(u, 0) = 1 + "
+                r"\frac{1}{10}(1 - 10u)$, $\varphi_2(0, v) = 1 + \frac{1}{10}(1 - 10v)$: at the far "
+                r"corner $\varphi_2 - \varphi_1 \leq -\frac{1}{10} + \frac{1}{990} < -0.098$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "The dual compares data that are constant on one axis and increase on the other, "
+                "where the corrected form applies (4.1.dual-5-monotone)."
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-5-monotone",
@@ -245,6 +570,27 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.dual-5-comparison", "4.1.dual-3-stage"),
+        checks=(
+            Check(
+                name="data of the daughters",
+                run=_MONOTONE + "ordered_data",
+                routes=("rates of the data in the place of the cut", "phi_uv = sin phi, convexity"),
+                mutants=(
+                    Mutant(name="phi < 0.505 pi", given={"limit": "101/200"}, near=True),
+                    Mutant(name="lines turn the other way", given={"carried": "-1"}),
+                    Mutant(name="lines turn 1 % less", given={"carried": "99/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="moved cuts",
+                run=_MONOTONE + "outward",
+                routes=("sectors before the move", "sectors after it"),
+                mutants=(
+                    Mutant(name="inward", given={"direction": -1}),
+                    Mutant(name="1 % less at the corner", given={"parts": "303/100"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-6-same-result",
@@ -303,6 +649,18 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$2 \cdot 3^g m < 6 m_0$.",
         hypotheses=("$3^{g-1} m < m_0$",),
         rests_on=("4.1.dual-1-generations",),
+        checks=(
+            Check(
+                name="all m and m_0",
+                run=_GENERATIONS + "six",
+                routes=("printed bound", "printed condition on g, all m_0 up to 900"),
+                mutants=(
+                    Mutant(name="5.99 m_0", given={"times": "599/100"}, near=True),
+                    Mutant(name="5 m_0", given={"times": "5"}),
+                    Mutant(name="> 6 m_0", given={"strict": False}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-6-smallest-angle",
@@ -328,6 +686,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=r"$\mathcal{E}_\infty < C\, 3^g m$ with a constant $C$ independent of $R$.",
         hypotheses=(_MONO, _DUAL, r"(used, not stated) $C$ may depend on $\phi^*$"),
         rests_on=("4.1.dual-6-smallest-angle", "ebound"),
+        checks=(
+            Check(
+                name="from the bound on the angles",
+                run=_GENERATIONS + "energy",
+                routes=("printed bound, C = 0.637 > 2/pi", "(ebound)"),
+                mutants=(
+                    Mutant(name="C = 0.63", given={"constant": "63/100"}, near=True),
+                    Mutant(name="m from 1 on", given={"least_index": 1}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-6-energy-in-radius",
@@ -340,6 +709,18 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(_MONO, _DUAL, r"$m_0 \sim C e^R$"),
         rests_on=("4.1.dual-6-energy-in-generations", "4.1.dual-saddle-order"),
+        checks=(
+            Check(
+                name="with C' = 4.2",
+                run=_ORDER + "energy",
+                tier="full",
+                routes=("theory.periodic_amsler_bounds", "m_0 by the mirror line (mpmath)"),
+                mutants=(
+                    Mutant(name="e^(9R/10)", given={"rate": "9/10"}, near=True),
+                    Mutant(name="C' = 0.1", given={"most": "1/10"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.terminates-beyond-right-angle",

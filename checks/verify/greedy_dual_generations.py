@@ -170,6 +170,4 @@ def energy(setting: Setting, *, constant: str = "637/1000", least_index: int = 6
                 curvature = half.cot().max((arb.pi() / 4).tan())
                 yield f"m = {m}, g = {g}", curvature, fraction(constant) * 3**g * m
 
-    return bounded(
-        rows(), shown="E_inf < 0.637 3^g m, given the bound on the angles", sampled=True
-    )
+    return bounded(rows(), shown="E_inf < 0.637 3^g m, given the bound on the angles", sampled=True)

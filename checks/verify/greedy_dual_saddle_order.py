@@ -160,8 +160,10 @@ def energy(setting: Setting, *, most: str = "21/5", rate: str = "1") -> Evidence
         c = arb(637) / 1000
         for radius, m in orders():
             ball, found = (arb(mp.nstr(x, 20)) for x in (radius, m))
-            yield f"R = {mp.nstr(radius, 6)}", c * found * (-fraction(rate) * ball).exp(), fraction(
-                most
+            yield (
+                f"R = {mp.nstr(radius, 6)}",
+                c * found * (-fraction(rate) * ball).exp(),
+                fraction(most),
             )
         root = 2 * (arb.pi() / 8).sqrt() * (arb(7) / 20).exp() + arb(-1).exp()
         yield "constant of the proof", 3 * c * root, fraction(most)
