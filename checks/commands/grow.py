@@ -9,6 +9,9 @@ from checks.grow.files import Files
 from checks.grow.parameters import parameters
 from checks.output import STDOUT
 
+#: Largest relative difference between the areas of the kept quads and of the disk.
+TILED = 1e-8
+
 
 def grow_command(
     *,
@@ -46,6 +49,12 @@ def grow_command(
 
 def _warn(tree: Any, max_cuts: int) -> None:
     """Say on stderr what makes a result less than it seems."""
+    if tree.terminated and abs(tree.area / tree.parameters.area - 1) > TILED:
+        click.echo(
+            f"kminusone: warning: the quads cover an area of {tree.area:.12g} and the disk has "
+            f"{tree.parameters.area:.12g}: rounding spoilt the net, take another --step",
+            err=True,
+        )
     if tree.unresolved_cuts:
         click.echo(
             f"kminusone: warning: {tree.unresolved_cuts} cuts fall on a side of their sector: the "

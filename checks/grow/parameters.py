@@ -10,7 +10,7 @@ from checks.expression_tree import Linear
 DEFAULT_SECTORS = 4
 
 #: Most initial sectors.
-MOST_SECTORS = 10**5
+MOST_SECTORS = 10**4
 
 #: Least radius: float64 keeps too few digits of cosh of smaller distances.
 LEAST_RADIUS = Fraction(1, 1000)
