@@ -107,18 +107,22 @@ def value(**options: Any) -> int:
 
 
 @command_line.command()
-@click.option("--radius", required=True, metavar="R", help="Radius of the disk, such as 3 or 7/2.")
-@click.option("--phi0", metavar="ANGLE", help="Angle 2*pi/n of the initial sectors, n even.")
-@click.option("--sectors", type=int, metavar="N",
-              help="Number of initial sectors, instead of --phi0  [default: 4].")  # fmt: skip
+@click.option("--radius", required=True, metavar="R", help="Radius of the disk, as 3 or 7/2.")
+@click.option("--phi0", metavar="ANGLE",
+              help="Angle 2*pi/n of the initial sectors, n even  [default: pi/2].")  # fmt: skip
+@click.option("--sectors", metavar="N", help="Number n of initial sectors, instead of --phi0.")
 @click.option("--cutoff", default="3*pi/4", show_default=True, metavar="ANGLE",
-              help="Largest angle phi, between phi0 and pi.")  # fmt: skip
+              help="Largest angle phi: between phi0 and pi.")  # fmt: skip
 @click.option("--step", default="0.02", show_default=True, metavar="LENGTH",
               help="Edge length of the net.")  # fmt: skip
 @click.option("--max-cuts", type=click.IntRange(1), default=10**6, show_default=True,
-              help="Stop beyond so many branch points.")  # fmt: skip
+              help="Stop beyond so many cuts of the whole disk.")  # fmt: skip
 @click.option("--jobs", type=click.IntRange(1, 1024), help="Threads [default: all cores].")
 @click.option("--json", "json_file", metavar="FILE", help="Write the result, - for stdout.")
+@click.option("--out", "net_file", metavar="FILE",
+              help="Write the surface: .ply, .obj, .stl, .glb, .vtk or .npz.")  # fmt: skip
+@click.option("--picture", "picture_file", metavar="FILE",
+              help="Draw the disk: .png or .svg.")  # fmt: skip
 def grow(**options: Any) -> int:
     """Cover a disk with a branched net by the greedy algorithm, as in: grow --radius 3."""
     from checks.commands.grow import grow_command

@@ -42,9 +42,8 @@ def edge_area(
 ) -> float:
     """Area of the part of the triangle (centre, a, b) in the disk, signed like sinh d.
 
-    The edge runs over t in [t_a, t_b] from the foot of the perpendicular; it is inside for
-    |t| <= t_r. The angle at the centre between t and t' has the tangent of half of it by
-    Napier's rules, tan(theta) = tanh(t)/sinh(d).
+    cosh_l, sinh_l: of the edge from a to b, cosh_a, cosh_b: heights of its ends. It runs over t in
+    [t_a, t_b] from the foot of the perpendicular, and is inside for |t| <= t_r.
     """
     cosh_d = math.sqrt(1 + sinh_d * sinh_d)
     t_b = math.asinh((cosh_b * cosh_l - cosh_a) / (sinh_l * cosh_d))

@@ -1,7 +1,8 @@
 """The greedy algorithm (alg:greedy-cuts) as this library runs it: the tree of sectors of a disk.
 
-A sector keeps its quads up to the first vertex in the closed disk whose angle exceeds the cutoff;
-three sectors take the place of the corner cut out, and are cut in their turn. What belongs to the
+A sector keeps its quads up to the first vertex in the closed disk whose angle exceeds the cutoff
+(steps 12 to 14; discrete.sector_cut); three sectors take the place of the corner cut out, and are
+cut in their turn. What belongs to the
 disk is decided row by row: of a row of quads those count that meet the disk and can be reached in
 it from the row below (the net beyond a singular edge may fold back into the disk).
 """
@@ -54,15 +55,23 @@ class _Limit:
         return self.left < 0
 
 
+class _Stop:
+    """Asks the workers of a run to end; seen by threads, not by other processes."""
+
+    asked = False
+
+
 def _sweep(
-    cutter: Cutter, waiting: deque[SectorSides], rows: Rows, limit: _Limit,
+    cutter: Cutter, waiting: deque[SectorSides], rows: Rows, limit: _Limit, stop: _Stop,
     split: float, deep: bool, done: Callable[[float], None],
 ) -> bool:  # fmt: skip
     """Sweep waiting sectors until none is left or `split` wait; gives False beyond the limit.
 
-    deep: daughters before the others, so that few sectors wait.
+    deep: daughters before the others, so that few sectors wait. False too where asked to stop.
     """
     while waiting and len(waiting) < split:
+        if stop.asked:
+            return False
         sector = waiting.popleft()
         found = cutter(sector, len(rows))
         rows.append(_row(sector, found))
@@ -77,20 +86,18 @@ def _sweep(
 
 
 def _subtree(
-    parameters: GreedyParameters, margin: float, sector: SectorSides, cuts: int
+    parameters: GreedyParameters, margin: float, sector: SectorSides, cuts: int, stop: _Stop
 ) -> tuple[np.ndarray, bool]:
     """Sectors below one, the parents numbered from its own 0 on, and whether all were swept."""
     rows: Rows = []
     complete = _sweep(
-        Cutter(parameters=parameters, margin=margin), deque([sector]), rows, _Limit(cuts),
+        Cutter(parameters=parameters, margin=margin), deque([sector]), rows, _Limit(cuts), stop,
         inf, True, lambda area: None,
     )  # fmt: skip
     return np.array(rows, dtype=SECTOR), complete
 
 
-def _joined(
-    parts: Sequence[np.ndarray],
-) -> np.ndarray:
+def _joined(parts: Sequence[np.ndarray]) -> np.ndarray:
     """Trees one after another: each but the first has its root's parent in the first."""
     start = len(parts[0])
     moved = [parts[0]]
@@ -110,29 +117,30 @@ def _grown(
     outer = float(np.cosh(float(parameters.radius) + margin))
     waiting, limit = deque([initial_sector(parameters, outer)]), _Limit(max_cuts)
     rows: Rows = []
-    area = 0.0
+    area, stop = 0.0, _Stop()
 
     def done(more: float) -> None:
         nonlocal area
         area += more
         progress(min(area / parameters.area, 1.0))
 
-    complete = _sweep(cutter, waiting, rows, limit, SPLIT, False, done)
+    complete = _sweep(cutter, waiting, rows, limit, stop, SPLIT, False, done)
     parts = [np.array(rows, dtype=SECTOR)]
     futures = []
-    if executor is not None and complete:
-        futures = [
-            executor.submit(_subtree, parameters, margin, sector, limit.left) for sector in waiting
-        ]
     try:
+        if executor is not None and complete:
+            futures = [
+                executor.submit(_subtree, parameters, margin, sector, limit.left, stop)
+                for sector in waiting
+            ]
         for k, sector in enumerate(waiting if complete else ()):
             if futures:
                 part, complete = futures[k].result()
             else:
-                part, complete = _subtree(parameters, margin, sector, limit.left)
+                part, complete = _subtree(parameters, margin, sector, limit.left, stop)
             cuts = int(part["copies"][part["cut"]].sum())
             if cuts > limit.left:
-                part, complete = _subtree(parameters, margin, sector, limit.left)
+                part, complete = _subtree(parameters, margin, sector, limit.left, stop)
                 cuts = int(part["copies"][part["cut"]].sum())
             limit.passed_by(cuts)
             parts.append(part)
@@ -140,6 +148,7 @@ def _grown(
             if not complete:
                 break
     finally:
+        stop.asked = True  # after an interrupt or beyond the limit: nobody waits for the others
         for future in futures:
             future.cancel()
     return GreedyTree(
@@ -158,8 +167,8 @@ def grown(
 
     max_cuts: of the whole disk; the cut that passes it is the last, together with its images: the
     tree is then partial and `terminated` is False. Threads suffice for an executor, since the
-    kernel lets others run. Raises ShapeError for a bad limit,
-    SurgeryError where rounding cannot place a cut.
+    kernel lets others run. Raises ShapeError for a bad limit, SurgeryError where rounding cannot
+    place a cut.
     """
     if isinstance(max_cuts, bool) or not isinstance(max_cuts, int) or max_cuts < 1:
         raise ShapeError(f"max_cuts = {max_cuts!r}: give an integer of 1 or more")

@@ -95,17 +95,17 @@ class GreedyTree:
 
     @property
     def min_angle(self) -> float:
-        """Least angle phi at a vertex of the disk."""
+        """Least angle phi (eq:angle) at a vertex of the disk, towards the next u- and v-vertex."""
         return float(self.sectors["smallest"].min())
 
     @property
     def max_angle(self) -> float:
-        """Largest angle phi at a vertex of the disk."""
+        """Largest angle phi (eq:angle) at a vertex of the disk, towards the next vertices."""
         return float(self.sectors["largest"].max())
 
     @property
     def max_curvature(self) -> float:
-        """Larger of tan(phi/2) and cot(phi/2) over the extremes of the angle."""
+        """Larger of tan(phi/2) and cot(phi/2) over the extremes of the angle (ebound)."""
         return max(tan(self.max_angle / 2), 1 / tan(self.min_angle / 2))
 
     @property

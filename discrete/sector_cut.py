@@ -1,4 +1,4 @@
-"""Cut of one sector: which quads it keeps in the disk, and the lines that bound what it loses.
+"""Cut of one sector (alg:greedy-cuts, steps 12 to 14), and the lines that bound what it loses.
 
 The vertices (i, j) in the closed disk whose angle exceeds the cutoff, and the quads that meet the
 disk with an angle of pi or more, are all in the rows above k* and the columns beyond i*, the

@@ -125,7 +125,7 @@ def daughters(
     row: tuple[FloatArray, FloatArray],
     column: tuple[FloatArray, FloatArray],
 ) -> list[SectorSides]:
-    """Sectors u, A, v put in at a cut (lem:surgery); of a mirrored parent, u and A alone.
+    """Sectors u, A, v put in at a cut (lem:surgery, steps 15 to 17); of a mirrored parent, u and A.
 
     number: of the parent; place: of the cut, heading along the row; row, column: heights and turns
     of the lines that bound what was cut out, from the cut on. The two new sides are geodesics that

@@ -1,6 +1,6 @@
 """Claims of section 5.1, the tree of branch points: its shape, size and depth."""
 
-from checks.claim import Check, Claim, Mutant
+from checks.claim import Check, Claim, Erratum, Mutant
 
 _COUNT = "checks.verify.branch_count:"
 
@@ -17,6 +17,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"initial angles $\phi_0$ and cutoffs $\phi^*$."
         ),
         hypotheses=(r"(used, not stated) $\phi_0 = \pi/m$; the values are not listed",),
+        checks=(
+            Check(
+                name="stored runs",
+                run="checks.verify.greedy_tree_shape:runs_to_ten",
+                routes=("stored runs", "area of the disk in closed form"),
+                mutants=(
+                    Mutant(name="1 % more area", given={"covered": "101/100"}, near=True),
+                    Mutant(name="0.99 phi*", given={"level": "99/100"}, near=True),
+                    Mutant(name="100 cuts", given={"cuts": 100}),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts",),
     ),
     Claim(
@@ -30,6 +42,45 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         labels=("fig:branch-tree",),
         hypotheses=(_TREE, r"(used, not stated) $\Delta$ is not given"),
+        checks=(
+            Check(
+                name="generations of branch points",
+                run="checks.verify.greedy_tree_shape:generations",
+                routes=(
+                    "nets of four edge lengths",
+                    "limit of edge length 0 (theory.greedy_limit)",
+                ),
+                mutants=(Mutant(name="five", given={"number": 5}, near=True),),
+            ),
+            Check(
+                name="with the centre",
+                run="checks.verify.greedy_tree_shape:generations",
+                form="corrected",
+                given={"origin": True},
+                routes=(
+                    "nets of four edge lengths",
+                    "limit of edge length 0 (theory.greedy_limit)",
+                ),
+                mutants=(
+                    Mutant(name="five", given={"number": 5}, near=True),
+                    Mutant(name="R = 9/2", given={"radius": "9/2"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="4 generations of branch points in the disk of radius 4",
+            corrected=(
+                "4 generations with the centre, which is no branch point for $m = 2$; 3 "
+                "generations of $4 + 12 + 24$ branch points"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$4 + 12 + 24$ branch points in $3$ generations for the edge lengths $1/25, "
+                "1/50, 1/100, 1/200$ and in the limit $0$"
+            ),
+            conclusion_survives=True,
+            remark="A fourth generation needs a larger disk, such as that of radius $9/2$.",
+        ),
         rests_on=("alg:greedy-cuts",),
     ),
     Claim(
@@ -41,6 +92,17 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             "(used, not stated) rooted at the origin, which is no branch point when $m = 2$",
         ),
+        checks=(
+            Check(
+                name="paths and places",
+                run="checks.verify.greedy_tree_shape:one_parent",
+                routes=("paths of the tree", "places on the hyperboloid"),
+                mutants=(
+                    Mutant(name="edge length 1/3", given={"step": "1/3"}),
+                    Mutant(name="grandparent", given={"dropped": 2}, near=True),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts",),
     ),
     Claim(
@@ -50,6 +112,17 @@ CLAIMS: tuple[Claim, ...] = (
         kind="sentence",
         statement="No branch point but the origin has more than three daughters.",
         hypotheses=("(used, not stated) a sector is cut at most once",),
+        checks=(
+            Check(
+                name="counted",
+                run="checks.verify.greedy_tree_shape:daughters",
+                routes=("branch points of whole disks", "three sectors at a cut"),
+                mutants=(
+                    Mutant(name="two", given={"most": 2}, near=True),
+                    Mutant(name="the centre too", given={"origin": True}),
+                ),
+            ),
+        ),
         rests_on=("5.1.unique-parent", "4.1.algorithm-14-excise"),
     ),
     Claim(
@@ -59,6 +132,49 @@ CLAIMS: tuple[Claim, ...] = (
         kind="sentence",
         statement="Not all leaves of the tree belong to one generation.",
         hypotheses=(_TREE,),
+        checks=(
+            Check(
+                name="R = 4",
+                run="checks.verify.greedy_tree_shape:leaves",
+                routes=(
+                    "nets of four edge lengths",
+                    "limit of edge length 0 (theory.greedy_limit)",
+                ),
+                mutants=(
+                    Mutant(name="R = 3", given={"radius": "3"}, near=True),
+                    Mutant(name="R = 2", given={"radius": "2"}),
+                ),
+            ),
+            Check(
+                name="R = 5",
+                run="checks.verify.greedy_tree_shape:leaves",
+                form="corrected",
+                given={"radius": "5"},
+                routes=(
+                    "nets of four edge lengths",
+                    "limit of edge length 0 (theory.greedy_limit)",
+                ),
+                mutants=(
+                    Mutant(name="R = 9/2", given={"radius": "9/2"}, near=True),
+                    Mutant(name="R = 2", given={"radius": "2"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="the leaves of the tree of radius 4 are at different depths",
+            corrected=(
+                "so for $R = 5$; for $R = 4$ all $24$ leaves are in the third generation, for "
+                "$R = 9/2$ all are in the fourth"
+            ),
+            kind="hypothesis",
+            witness=(
+                "$R = 4$, $\\phi_0 = \\pi/2$, $\\phi^* = 3\\pi/4$: each of the $4 + 12$ branch "
+                "points of the first two generations has daughters, none of the $24$ of the "
+                "third has, for four edge lengths and in the limit"
+            ),
+            conclusion_survives=True,
+            remark="",
+        ),
         rests_on=("fig:branch-tree",),
     ),
     Claim(
@@ -73,6 +189,36 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _TREE,
             "(used, not stated) typically is not made precise: read as a comparison of means",
+        ),
+        checks=(
+            Check(
+                name="with the way from the centre",
+                run="checks.verify.greedy_tree_shape:amsler_nodes",
+                routes=("distances on the hyperboloid", "four edge lengths"),
+                mutants=(Mutant(name="1 % less", given={"share": "99/100"}, near=True),),
+            ),
+            Check(
+                name="without it",
+                run="checks.verify.greedy_tree_shape:amsler_nodes",
+                form="corrected",
+                given={"origin": False},
+                routes=("distances on the hyperboloid", "four edge lengths"),
+                mutants=(
+                    Mutant(name="1 % less", given={"share": "99/100"}, near=True),
+                    Mutant(name="nine tenths", given={"share": "9/10"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="successive Amsler nodes are farther apart than pseudo-Amsler nodes",
+            corrected="so in the mean if the way from the centre to the first node is left out",
+            kind="ambiguous",
+            witness=(
+                "$R = 4$, $\\phi_0 = \\pi/2$, $\\phi^* = 3\\pi/4$: the ways from the centre are so "
+                "short that with them the means are in the other order"
+            ),
+            conclusion_survives=True,
+            remark="The margin without them is about one per cent on the coarsest net.",
         ),
         rests_on=("fig:branch-tree", "def:amsler-sector"),
     ),

@@ -116,6 +116,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"With distributed branch points the energy seems to scale like $\exp(c\sqrt{R})$."
         ),
         hypotheses=(r"$R \leq 10$",),
+        checks=(
+            Check(
+                name="R <= 10",
+                run="checks.verify.greedy_growth:energy_law",
+                tier="full",
+                routes=("energies in the limit", "AIC of the laws"),
+                mutants=(
+                    Mutant(name="R^(2/5)", given={"power": "2/5"}, near=True),
+                    Mutant(name="R^(1/10)", given={"power": "1/10"}),
+                ),
+            ),
+        ),
         rests_on=("fig:energywithradius", "ebs"),
     ),
 )

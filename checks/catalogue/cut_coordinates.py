@@ -16,6 +16,18 @@ CLAIMS: tuple[Claim, ...] = (
             "cut one is."
         ),
         hypotheses=("(used, not stated) counted without the initial sectors",),
+        checks=(
+            Check(
+                name="counted",
+                run="checks.verify.greedy_tree_shape:amsler_share",
+                routes=("sectors of runs", "one of three"),
+                mutants=(
+                    Mutant(name="1 % off", given={"share": "101/300"}, near=True),
+                    Mutant(name="a half", given={"share": "1/2"}),
+                    Mutant(name="less than a third", given={"most": "1/3"}),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts", "def:amsler-sector"),
     ),
     Claim(
@@ -29,6 +41,17 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(
             "(used, not stated) the line taken from the parent is not itself an axis of it",
+        ),
+        checks=(
+            Check(
+                name="turns of the sides",
+                run="checks.verify.greedy_tree_shape:one_geodesic",
+                routes=("sides of the sectors of runs", "number of geodesics as stated"),
+                mutants=(
+                    Mutant(name="none", given={"sides": 0}, near=True),
+                    Mutant(name="both", given={"sides": 2}, near=True),
+                ),
+            ),
         ),
         rests_on=("5.1.most-sectors-pseudo-amsler",),
     ),

@@ -26,6 +26,17 @@ CLAIMS: tuple[Claim, ...] = (
             "fig:frontierR10phi014",
         ),
         hypotheses=(r"(used, not stated) $\Delta$ is not given",),
+        checks=(
+            Check(
+                name="panels",
+                run="checks.verify.greedy_frontier:figure",
+                routes=("runs on three edge lengths", "printed curves"),
+                mutants=(
+                    Mutant(name="f_1 1 % more", given={"share": "101/300"}, near=True),
+                    Mutant(name="f_2 a quarter more", given={"factor": "5/4"}),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts", "eq:cut-coordinates", "5.1.alpha-star"),
     ),
     Claim(
@@ -178,6 +189,17 @@ CLAIMS: tuple[Claim, ...] = (
                 "not where the lemma puts it"
             ),
         ),
+        checks=(
+            Check(
+                name="counted",
+                run="checks.verify.greedy_frontier:amsler_nodes",
+                routes=("runs", "printed bound"),
+                mutants=(
+                    Mutant(name="1 % more", given={"share": "101/300"}, near=True),
+                    Mutant(name="other nodes", given={"family": "pseudo"}),
+                ),
+            ),
+        ),
         rests_on=("5.1.two-families", "rem:amsler_scaling"),
     ),
     Claim(
@@ -239,6 +261,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"\left(\frac{\alpha_n}{\alpha^*}\right)^2\right)$."
         ),
         hypotheses=(_RUN,),
+        checks=(
+            Check(
+                name="counted",
+                run="checks.verify.greedy_frontier:pseudo_amsler_nodes",
+                routes=("runs", "printed bound"),
+                mutants=(
+                    Mutant(name="f_2 a quarter more", given={"factor": "5/4"}),
+                    Mutant(name="1/2 kept", given={"drop": 2}, near=True),
+                ),
+            ),
+        ),
         rests_on=("5.1.two-families", "5.1.infimum-is-alpha-star"),
     ),
 )

@@ -1,6 +1,6 @@
 """Claims of section 4.1, one branch point of high index and the dual of the greedy algorithm."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Mutant
 
 _DUAL = "$m$ as in the algorithm, $g$ as in item (1)"
 _MONO = r"$m \geq 6$, $\phi^* \leq \pi/2$"
@@ -348,6 +348,17 @@ CLAIMS: tuple[Claim, ...] = (
         kind="sentence",
         statement=r"In numerical runs the algorithm ends also for $\phi^* > \pi/2$.",
         hypotheses=(r"$\pi/2 < \phi^* < \pi$", _SIGN, _SMALL),
+        checks=(
+            Check(
+                name="stored runs",
+                run="checks.verify.greedy_tree_shape:runs_beyond_right_angle",
+                routes=("stored runs", "area of the disk in closed form"),
+                mutants=(
+                    Mutant(name="1 % more area", given={"covered": "101/100"}, near=True),
+                    Mutant(name="100 cuts", given={"cuts": 100}),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts",),
     ),
 )

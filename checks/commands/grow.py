@@ -1,86 +1,70 @@
 """`kminusone grow`: a branched net that covers a disk, by the greedy algorithm."""
 
-import os
-import time
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack
-from fractions import Fraction
 from typing import Any
 
 import click
 
-from checks.errors import BadInput
+from checks.grow.computing import Undecided, computed
+from checks.grow.files import Files
 from checks.grow.parameters import parameters
-from checks.output import STDOUT, require_writable, write_json
+from checks.output import STDOUT
 
-#: A run with more quads than this, by its area, shows how far it is.
-LONG_RUN = 5e7
+#: Largest relative difference between the areas of the kept quads and of the disk.
+TILED = 1e-8
 
 
 def grow_command(
     *,
     radius: str,
     phi0: str | None,
-    sectors: int | None,
+    sectors: str | None,
     cutoff: str,
     step: str,
     max_cuts: int,
     jobs: int | None,
     json_file: str | None,
+    net_file: str | None,
+    picture_file: str | None,
 ) -> int:
-    """Exit code: 0; 4 where the limit of cuts was reached."""
-    require_writable(json_file)
-    run = parameters(radius, phi0, sectors, cutoff, step)
-    tree, seconds = _timed(run, jobs or os.cpu_count() or 1, max_cuts)
+    """Exit code: 0; 4 where the limit of cuts was reached or rounding cannot place a cut."""
+    files = Files(json=json_file, net=net_file, picture=picture_file)
+    files.require_possible()
+    run = parameters(radius=radius, phi0=phi0, sectors=sectors, cutoff=cutoff, step=step)
+    files.require_feasible(run)
+    try:
+        found = computed(run, jobs=jobs, max_cuts=max_cuts)
+    except Undecided as error:
+        click.echo(f"kminusone: undecided: {error}", err=True)
+        return 4
     from checks.grow.summary import plain, table
 
-    if json_file is not None:
-        write_json(json_file, plain(tree, seconds))
+    tree = found.tree
+    if files.names:
+        files.write(tree, plain(tree, found.seconds))
     if json_file != STDOUT:
-        for line in table(tree, seconds):
-            click.echo(line)
+        click.echo("\n".join(table(tree, found.seconds)))
     _warn(tree, max_cuts)
     return 0 if tree.terminated else 4
 
 
-def _timed(run: Any, jobs: int, max_cuts: int) -> tuple[Any, float]:
-    """Tree of a run, and the seconds that it took after the kernels were compiled."""
-    from checks.grow.bar import share_bar
-    from discrete.complex_errors import SurgeryError
-    from discrete.exact_angle import ExactAngle
-    from discrete.greedy import grown
-    from discrete.greedy_parameters import GreedyParameters
-
-    warm = GreedyParameters(
-        radius=Fraction(2),
-        step=Fraction(1, 10),
-        sectors=4,
-        cutoff=ExactAngle(half_turns=Fraction(3, 4)),
-    )
-    grown(warm)
-    with ExitStack() as stack:
-        progress = None
-        if run.area / float(run.step) ** 2 > LONG_RUN:
-            progress = stack.enter_context(share_bar("area covered"))
-        executor = stack.enter_context(ThreadPoolExecutor(jobs)) if jobs > 1 else None
-        start = time.perf_counter()
-        try:
-            tree = grown(run, executor=executor, max_cuts=max_cuts, progress=progress)
-        except SurgeryError as error:
-            raise BadInput(str(error)) from None
-        return tree, time.perf_counter() - start
-
-
 def _warn(tree: Any, max_cuts: int) -> None:
+    """Say on stderr what makes a result less than it seems."""
+    if tree.terminated and abs(tree.area / tree.parameters.area - 1) > TILED:
+        click.echo(
+            f"kminusone: warning: the quads cover an area of {tree.area:.12g} and the disk has "
+            f"{tree.parameters.area:.12g}: rounding spoilt the net, take another --step",
+            err=True,
+        )
     if tree.unresolved_cuts:
         click.echo(
-            f"kminusone: {tree.unresolved_cuts} cuts fall on a side of their sector: the step "
-            f"{tree.parameters.step} does not resolve them, take a smaller one",
+            f"kminusone: warning: {tree.unresolved_cuts} cuts fall on a side of their sector: the "
+            f"step {tree.parameters.step} is too coarse to place them, take a smaller --step",
             err=True,
         )
     if not tree.terminated:
+        cuts = int(tree.sectors["copies"][tree.sectors["cut"]].sum())
         click.echo(
-            f"kminusone: undecided: stopped after {max_cuts} cuts, with sectors left to sweep; "
-            "raise --max-cuts",
+            f"kminusone: undecided: stopped after {cuts} cuts with sectors left to sweep, so that "
+            f"the tree is partial: raise --max-cuts from {max_cuts}",
             err=True,
         )

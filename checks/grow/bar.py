@@ -1,9 +1,13 @@
-"""A progress bar for one long computation, by its share that is done."""
+"""A progress bar with the time left for one long computation, by the share of it that is done."""
 
 import os
 import sys
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+
+#: Seconds after which a computation is long: shorter ones draw nothing.
+DELAY = 1.0
 
 
 @contextmanager
@@ -12,6 +16,21 @@ def share_bar(text: str) -> Iterator[Callable[[float], None]]:
     if not sys.stderr.isatty():
         yield lambda share: None
         return
+    start = time.monotonic()
+    drawn: list[Callable[[float], None]] = []
+    with ExitStack() as stack:
+
+        def told(share: float) -> None:
+            if not drawn and time.monotonic() - start > DELAY:
+                drawn.append(stack.enter_context(_bar(text)))
+            if drawn:
+                drawn[0](share)
+
+        yield told
+
+
+@contextmanager
+def _bar(text: str) -> Iterator[Callable[[float], None]]:
     from rich.console import Console
     from rich.progress import (
         BarColumn,

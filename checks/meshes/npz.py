@@ -1,4 +1,4 @@
-"""NPZ of numpy: points, normals, disk (complex), quads, and the fields by name."""
+"""NPZ of numpy: points, normals, places in the disk (complex), quads, and the fields by name."""
 
 from typing import IO
 
@@ -9,7 +9,10 @@ from discrete.greedy_net import GreedyNet
 
 
 def write_npz(stream: IO[bytes], net: GreedyNet) -> None:
-    """Write all arrays, those of the quads too; exact parameters as text."""
+    """Write all arrays, those of the quads too; exact parameters as text.
+
+    quads: vertices p, p_u, p_uv, p_v, so that the first edge is a u-edge, on either side round.
+    """
     mesh, run = mesh_of(net), net.parameters
     np.savez(
         stream,

@@ -1,5 +1,6 @@
 """Picture of a net in the Poincare disk, coloured by curvature, with its branch points."""
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, cast
 
@@ -11,8 +12,18 @@ from checks.meshes.write import require_format
 
 PICTURES = ("png", "svg")
 
-#: Quads of a picture; a net with more is drawn with every few lines left out.
-MOST_QUADS = 1_500_000
+#: Pixels to an inch.
+DPI = 160
+
+
+def require_picture(name: str) -> str:
+    """Extension of a picture; raises BadInput for another one, or without matplotlib."""
+    kind = require_format(name, PICTURES)
+    if find_spec("matplotlib") is None:
+        raise BadInput(
+            "cannot draw a picture without matplotlib: install it, pip install 'kminusone[figures]'"
+        )
+    return kind
 
 
 def write_picture(name: str, tree: Any, net: Any) -> None:
@@ -20,21 +31,17 @@ def write_picture(name: str, tree: Any, net: Any) -> None:
 
     Raises BadInput where matplotlib is missing or the file cannot be written.
     """
-    kind = require_format(name, PICTURES)
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError:
-        raise BadInput(
-            "cannot draw a picture without matplotlib: install it, pip install 'kminusone[figures]'"
-        ) from None
+    kind = require_picture(name)
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
     figure = Figure(figsize=(7.4, 7), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     _draw(axes, figure, tree, net)
     try:
         with replacing(Path(name).resolve()) as stream:
-            figure.savefig(stream, format=kind, dpi=160)
+            figure.savefig(stream, format=kind, dpi=DPI)
     except OSError as error:
         raise BadInput(f"cannot write {name}: {error.strerror or error}") from error
 

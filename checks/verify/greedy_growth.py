@@ -101,7 +101,7 @@ def energy_law(
         best, low, high = exponents(radii, values)
         law, line, least = (spread(radii, values, p) for p in (given, 1.0, best))
         against = len(radii) * log(line[0] / law[0])
-        short = len(radii) * log(law[0] / least[0])
+        short = len(radii) * log(law[0] / least[0]) - 2  # the best power is one number more
         better = better and against >= DECISIVE
         text = (
             f"2 m = {sectors}, phi* = {cutoff} pi, {lowest} <= R <= {largest}: best power "
@@ -119,31 +119,6 @@ def energy_law(
         return found(failures, shown="; ".join(told), tried=tried)
     return Evidence(
         outcome="undecided", grade="experiment", shown="; ".join(told), tried=tried, met=tried
-    )
-
-
-def conjecture(setting: Setting, *, power: str = "1/2") -> Evidence:
-    """What is known of log inf E_inf ~ R^power: refuted for powers above 1 by the bobbins.
-
-    log inf E_inf <= log cosh R < R. From below nothing is known that grows with R, and runs give
-    bounds from above on finitely many disks: no power up to 1 is decided.
-    """
-    del setting
-    if Fraction(power) > 1:
-        return found([f"log cosh R < R: over R^({power}) it tends to 0"], shown="", tried=1)
-    told = []
-    for sectors, cutoff in limit_sets():
-        radii, values = energies(sectors, cutoff)
-        kept = radii >= 8
-        best, low, high = exponents(radii[kept], values[kept])
-        told.append(f"{best:.2f} ({low:.2f} to {high:.2f})")
-    return Evidence(
-        outcome="undecided",
-        grade="experiment",
-        shown="the infimum is bounded from above by runs only: their best powers on "
-        f"8 <= R <= 16 are {' and '.join(told)}; no bound from below is known",
-        tried=len(told),
-        met=len(told),
     )
 
 

@@ -11,10 +11,15 @@ import numpy as np
 
 from checks.evidence import Evidence, Setting
 from checks.stored import load
-from checks.verify.greedy_samples import MIDDLE, TREE, distances, positions, tree_of
+from checks.verify.greedy_samples import TREE, distances, positions, tree_of
+from discrete.greedy_tree import GreedyTree
+from discrete.greedy_walk import walked
 
 STEPS = ("1/25", "1/50", "1/100", "1/200")
 LARGEST = 10
+
+#: Largest turn in radians that is rounding.
+STRAIGHT = 1e-11
 
 
 def found(failures: list[str], *, shown: str, tried: int) -> Evidence:
@@ -51,18 +56,23 @@ def copies(path: str, sectors: str) -> int:
 
 
 def runs_to_ten(
-    setting: Setting, *, covered: str = "1", level: str = "1", cuts: int = 10**6
+    setting: Setting,
+    *,
+    covered: str = "1",
+    level: str = "1",
+    cuts: int = 10**6,
+    beyond: str = "0",
 ) -> Evidence:
     """Whether the stored runs with R <= 10 end, cover the disk and stay below the cutoff.
 
-    covered: share of the area of the disk; level: in units of phi*; cuts: most cuts of the four
-    runs that are made again, of radius 6.
+    covered: share of the area of the disk; level: in units of phi*; cuts: most cuts of the runs
+    that are made again, of radius 6; beyond: only runs of a cutoff beyond so many half turns.
     """
     del setting
     failures, tried, again = stale("greedy_runs"), 0, 0
     for run in load("greedy_runs").result["runs"]:
         radius = Fraction(run["radius"])
-        if radius > LARGEST:
+        if radius > LARGEST or Fraction(run["cutoff"]) <= Fraction(beyond):
             continue
         tried += 1
         key = (run["radius"], run["step"], run["initial"], run["cutoff"])
@@ -77,10 +87,15 @@ def runs_to_ten(
             failures.append(f"R = {key[0]}, step {key[1]}, 2 m = {key[2]}, phi* = {key[3]} pi")
     return found(
         failures,
-        shown=f"all {tried} runs with R <= 10, four pairs of phi_0 and phi* and four edge lengths, "
-        f"end with the area of the disk and no angle above phi*; {again} of them made again",
+        shown=f"all {tried} runs with R <= 10 end with the area of the disk and no angle above "
+        f"phi*; {again} of them made again",
         tried=tried,
     )
+
+
+def runs_beyond_right_angle(setting: Setting, *, covered: str = "1", cuts: int = 10**6) -> Evidence:
+    """Whether those of a cutoff above pi/2 end and cover the disk."""
+    return runs_to_ten(setting, covered=covered, cuts=cuts, beyond="1/2")
 
 
 def _levels(radius: str) -> dict[str, Counter[int]]:
@@ -201,7 +216,7 @@ def daughters(setting: Setting, *, most: int = 3, origin: bool = False) -> Evide
     return found(failures, shown=f"at most {most} daughters at {tried} parents", tried=tried)
 
 
-def amsler_nodes(setting: Setting, *, share: str = "1", origin: bool = False) -> Evidence:
+def amsler_nodes(setting: Setting, *, share: str = "1", origin: bool = True) -> Evidence:
     """Mean distance of successive Amsler nodes on a diagonal against that of the other pairs.
 
     share: of the mean for Amsler nodes; origin: whether the way from the centre counts.
@@ -230,19 +245,50 @@ def amsler_nodes(setting: Setting, *, share: str = "1", origin: bool = False) ->
     )
 
 
+def geodesic_sides(tree: GreedyTree) -> Counter[int]:
+    """Attached sectors of the whole disk by the number of their sides that are geodesics.
+
+    The turns of the sides are looked at, not how the sectors came about; a line of nonzero geodesic
+    curvature turns by that times the edge length.
+    """
+    number: Counter[int] = Counter()
+    for path, sector, _ in walked(tree):
+        if path:
+            sides = (sector.first_turns[1:], sector.second_turns[1:])
+            straight = sum(bool(np.abs(turns).max(initial=0) < STRAIGHT) for turns in sides)
+            number[straight] += sector.copies
+    return number
+
+
+RUNS = (("4", *TREE), ("8", *TREE), ("8", "12", "4/5"))
+
+
 def amsler_share(setting: Setting, *, share: str = "1/3", most: str = "1/2") -> Evidence:
     """Share, below `most`, of the sectors between two geodesics among those attached at a cut."""
     del setting
     failures: list[str] = []
     tried = 0
-    for radius, sectors, cutoff in (("4", *TREE), ("8", *TREE), ("8", "12", "4/5")):
-        rows = tree_of(radius, "1/50", sectors, cutoff).sectors
-        attached = rows["parent"] >= 0
-        middle = int(rows["copies"][attached & (rows["letter"] == MIDDLE)].sum())
-        whole = int(rows["copies"][attached].sum())
+    for radius, sectors, cutoff in RUNS:
+        number = geodesic_sides(tree_of(radius, "1/50", sectors, cutoff))
+        whole = number.total()
         tried += whole
-        if Fraction(middle, whole) != Fraction(share) or not Fraction(middle, whole) < Fraction(
-            most
-        ):
-            failures.append(f"R = {radius}: {middle} of {whole}")
+        found_share = Fraction(number[2], whole)
+        if found_share != Fraction(share) or not found_share < Fraction(most):
+            failures.append(f"R = {radius}: {number[2]} of {whole} lie between two geodesics")
     return found(failures, shown=f"a third of {tried} attached sectors", tried=tried)
+
+
+def one_geodesic(setting: Setting, *, sides: int = 1) -> Evidence:
+    """Whether every attached sector not between two geodesics has this many geodesic sides."""
+    del setting
+    failures: list[str] = []
+    tried = 0
+    for radius, sectors, cutoff in RUNS:
+        number = geodesic_sides(tree_of(radius, "1/50", sectors, cutoff))
+        del number[2]
+        tried += number.total()
+        if set(number) != {sides}:
+            failures.append(
+                f"R = {radius}: sectors by geodesic sides {dict(sorted(number.items()))}"
+            )
+    return found(failures, shown=f"one geodesic side at each of {tried} sectors", tried=tried)
