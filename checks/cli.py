@@ -22,7 +22,18 @@ def _version_option(context: click.Context, _: click.Parameter, wanted: bool) ->
         context.exit()
 
 
+class _Commands(click.Group):
+    """The commands; an interrupt is told before click, which would print an empty line for it."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt:
+            raise Interrupted("interrupted; nothing was written") from None
+
+
 @click.group(
+    cls=_Commands,
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
