@@ -1,6 +1,6 @@
 """Claims of section 4.1, the greedy algorithm: its start, its result, termination and covering."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
 _SMALL = (
     r"(used, not stated) $\Delta$ is small against the distance of the cut from the axes, so "
@@ -29,6 +29,49 @@ CLAIMS: tuple[Claim, ...] = (
             _SMALL,
             "(used, not stated) the repetition ends",
         ),
+        checks=(
+            Check(
+                name="to the letter",
+                run="checks.verify.printed_result:covers",
+                routes=("the algorithm in the disk", "random points of the disk"),
+                mutants=(Mutant(name="as meant but step 5", given={"variant": "fill"}, near=True),),
+            ),
+            Check(
+                name="as meant, up to an edge from the rim",
+                run="checks.verify.printed_result:covers",
+                form="corrected",
+                given={"variant": "meant", "short": "1"},
+                routes=("the algorithm in the disk", "random points of the disk"),
+                mutants=(
+                    Mutant(name="up to the rim", given={"short": "0"}, near=True),
+                    Mutant(name="0.95 phi*", given={"level": "19/20"}, near=True),
+                    Mutant(name="the sign of (eq:angle)", given={"variant": "sign"}),
+                    Mutant(name="principal arguments", given={"variant": "argument"}),
+                    Mutant(name="discards by place", given={"variant": "discard"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="steps 5, 8, 16 and 22 as they stand, for the disk of radius $R$",
+            corrected=(
+                "$1 \\leq j, k \\leq N$ in step 5; $|\\varphi|$ in steps 8 to 25; $\\varphi_1 = "
+                "\\arg w_1 + \\frac13 \\arg(w_2/w_1)$ and $\\varphi_2 = \\arg w_1 + \\frac23 "
+                "\\arg(w_2/w_1)$ in step 16; discarded predecessors count as outside in steps 6 "
+                "and 20; the disk of radius $R - \\Delta$ is covered"
+            ),
+            kind="misprint",
+            witness=(
+                "$R = 3$, $\\Delta = 1/10$, $m = 2$, $\\phi^* = 3\\pi/4$: to the letter no angle "
+                "exceeds $\\phi^*$ and more than 99 % of the disk lie in no quad; with step 5 "
+                "mended the sign lets an angle of $0.99\\pi$ pass, the principal arguments leave "
+                "65 % uncovered, the discards by place never come to an end"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "With all lines mended the cuts are those of discrete.greedy, number for number, "
+                "which also keeps the quads that the rim crosses."
+            ),
+        ),
         rests_on=(
             "4.1.algorithm-27-k-surface",
             "poincare-ddg",
@@ -46,6 +89,17 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             "(used, not stated) $M$ is also the running number of sectors, from step 24 on",
         ),
+        checks=(
+            Check(
+                name="marks and cutoffs",
+                run="checks.verify.printed_start:sector_number",
+                routes=("marks of the axes around the origin", "interval of the cutoff"),
+                mutants=(
+                    Mutant(name="odd", given={"start": 5}, near=True),
+                    Mutant(name="M = 2", given={"start": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.algorithm-01-cutoff",
@@ -57,6 +111,17 @@ CLAIMS: tuple[Claim, ...] = (
             "below it."
         ),
         hypotheses=(r"the initial sectors have the angle $\pi/m$",),
+        checks=(
+            Check(
+                name="corner and widest angle",
+                run="checks.verify.printed_start:cutoff_range",
+                routes=("the algorithm in the disk", "angles at the corner and before the fold"),
+                mutants=(
+                    Mutant(name="0.99 pi/m", given={"low": "99/100"}, near=True),
+                    Mutant(name="pi", given={"high": "1"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.algorithm-01-nodes",
@@ -74,6 +139,14 @@ CLAIMS: tuple[Claim, ...] = (
                 "the length $2R$, also where it is not a geodesic"
             ),
         ),
+        checks=(
+            Check(
+                name="lines of all sectors",
+                run="checks.verify.printed_start:enough_nodes",
+                routes=("the algorithm in the disk", "(eq:hyp_radius)"),
+                mutants=(Mutant(name="N = R/Delta", given={"factor": "1"}, near=True),),
+            ),
+        ),
         rests_on=("eq:hyp_radius",),
     ),
     Claim(
@@ -82,6 +155,14 @@ CLAIMS: tuple[Claim, ...] = (
         where="algorithm (alg:greedy-cuts), step 2, line 1305",
         kind="algorithm",
         statement=r"The list of sectors starts as $\Omega_1, \ldots, \Omega_M$, each empty.",
+        checks=(
+            Check(
+                name="list",
+                run="checks.verify.printed_start:list_of_sectors",
+                routes=("the algorithm in the disk", "numbers 1 to M"),
+                mutants=(Mutant(name="one more", given={"extra": 1}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-01-sectors",),
     ),
     Claim(
@@ -90,6 +171,16 @@ CLAIMS: tuple[Claim, ...] = (
         where="algorithm (alg:greedy-cuts), step 3, line 1306",
         kind="algorithm",
         statement=r"Steps 4 to 8 are done for each initial sector $n = 1, \ldots, M$.",
+        checks=(
+            Check(
+                name="disk of radius 1/2",
+                run="checks.verify.printed_start:initial_cover",
+                form="support",
+                given={"variant": "meant"},
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(Mutant(name="without the last sector", given={"last": 1}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-02-empty-sectors",),
     ),
     Claim(
@@ -109,6 +200,18 @@ CLAIMS: tuple[Claim, ...] = (
                 "other"
             ),
         ),
+        checks=(
+            Check(
+                name="geodesics of the hyperboloid",
+                run="checks.verify.printed_start:axes",
+                routes=("(geodesics)", "discrete.geodesics on the hyperboloid"),
+                mutants=(
+                    Mutant(name="tanh(j Delta)", given={"rate": "1"}),
+                    Mutant(name="1 % longer", given={"rate": "101/200"}, near=True),
+                    Mutant(name="1 % of a sector off", given={"number": "1/100"}, near=True),
+                ),
+            ),
+        ),
         rests_on=("geodesics",),
     ),
     Claim(
@@ -121,6 +224,35 @@ CLAIMS: tuple[Claim, ...] = (
             "by one, where $n$ is the number of the sector."
         ),
         hypotheses=(r"(used, not stated) the range is $1 \leq j, k \leq N$",),
+        checks=(
+            Check(
+                name="as printed",
+                run="checks.verify.printed_start:initial_cover",
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(Mutant(name="step 5 alone", given={"variant": "fill"}, near=True),),
+            ),
+            Check(
+                name="up to N",
+                run="checks.verify.printed_start:initial_cover",
+                form="corrected",
+                given={"variant": "meant"},
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(
+                    Mutant(name="without the last sector", given={"last": 1}, near=True),
+                    Mutant(name="n", given={"variant": "fill"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="$1 \\leq j, k \\leq n$",
+            corrected="$1 \\leq j, k \\leq N$",
+            kind="misprint",
+            witness=(
+                "sector 1 gets a single quad, sector 2 four: most points within 1/2 of the "
+                "origin lie in no quad"
+            ),
+            conclusion_survives=True,
+        ),
         rests_on=("poincare-ddg", "4.1.algorithm-04-axes"),
     ),
     Claim(
@@ -137,6 +269,25 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) a discarded predecessor counts as outside",
             "(used, not stated) radii increase along the lines that leave the disk",
         ),
+        checks=(
+            Check(
+                name="nodes in the disk",
+                run="checks.verify.printed_start:lost_nodes",
+                routes=("the algorithm in the disk", "nodes reached before a fold"),
+                mutants=(
+                    Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
+                    Mutant(name="a disk of 0.9 R", given={"radius": "9/10"}),
+                ),
+            ),
+            Check(
+                name="points of the disk",
+                run="checks.verify.printed_start:rim_quads",
+                form="support",
+                given={"short": "1"},
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(Mutant(name="up to the rim", given={"short": "0"}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-05-fill", "eq:hyp_radius"),
     ),
     Claim(
@@ -148,6 +299,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"$\Omega_n$ is the set of all $\zeta^n_{j,k}$, $j, k \leq N$, that were not "
             "discarded."
         ),
+        checks=(
+            Check(
+                name="pieces and Euler characteristic",
+                run="checks.verify.printed_start:staircase",
+                routes=("the algorithm in the disk", "V - E + F of the kept quads"),
+                mutants=(
+                    Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
+                    Mutant(name="discards by place", given={"variant": "discard"}),
+                ),
+            ),
+        ),
         rests_on=("4.1.algorithm-06-discard",),
     ),
     Claim(
@@ -158,6 +320,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"$\varphi^n_{j,k}$ is computed by (eq:angle) at the nodes of which "
             r"$\zeta^n_{j+1,k}$ and $\zeta^n_{j,k+1}$ are in $\Omega_n$."
+        ),
+        checks=(
+            Check(
+                name="law of cosines",
+                run="checks.verify.printed_start:angles_at_nodes",
+                routes=("(eq:angle)", "three distances"),
+                mutants=(
+                    Mutant(name="without the conjugate", given={"conjugated": False}),
+                    Mutant(name="1.01 Delta", given={"spacing": "101/100"}, near=True),
+                ),
+            ),
         ),
         rests_on=("4.1.algorithm-07-sector", "eq:angle"),
     ),
@@ -171,6 +344,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"$\zeta^n_{j,k}$, nodes on common axes being one node."
         ),
         hypotheses=("(used, not stated) nodes are taken without those excised or discarded",),
+        checks=(
+            Check(
+                name="V - E + F and degrees",
+                run="checks.verify.printed_result:quadgraph",
+                routes=("the algorithm in the disk", "Euler characteristic and degrees"),
+                mutants=(
+                    Mutant(name="axes not shared", given={"share": False}, near=True),
+                    Mutant(name="degree 8", given={"degree": 8}),
+                    Mutant(name="discards by place", given={"variant": "discard"}),
+                ),
+            ),
+        ),
         rests_on=("4.1.algorithm-07-sector", "4.1.hyperbolic-chebyshev-net"),
     ),
     Claim(
@@ -181,6 +366,19 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"A $K$-surface $r : Q \to \mathbb{R}^3$ is built from the side lengths and angles "
             "of the net."
+        ),
+        checks=(
+            Check(
+                name="stars",
+                run="checks.verify.printed_result:surface",
+                routes=("K-surface of discrete.greedy_net", "lengths and angles in the disk"),
+                mutants=(
+                    Mutant(
+                        name="a vertex lifted by 1 % of an edge", given={"lift": "1/100"}, near=True
+                    ),
+                    Mutant(name="angles 1 % larger", given={"scale": "101/100"}, near=True),
+                ),
+            ),
         ),
         rests_on=("4.1.algorithm-26-quadgraph", "4.1.planar-stars"),
     ),
@@ -206,6 +404,19 @@ CLAIMS: tuple[Claim, ...] = (
             r"$\mathbb{R}^3$, which make up the discrete surface."
         ),
         labels=("fig:surgery",),
+        checks=(
+            Check(
+                name="rhombi in space",
+                run="checks.verify.printed_result:surface",
+                routes=("K-surface of discrete.greedy_net", "lengths and angles in the disk"),
+                mutants=(
+                    Mutant(
+                        name="a vertex lifted by 1 % of an edge", given={"lift": "1/100"}, near=True
+                    ),
+                    Mutant(name="angles 1 % larger", given={"scale": "101/100"}, near=True),
+                ),
+            ),
+        ),
         rests_on=("4.1.algorithm-27-k-surface",),
     ),
     Claim(
@@ -223,6 +434,17 @@ CLAIMS: tuple[Claim, ...] = (
             (
                 "(used, not stated) the sectors are numbered by the branch point, which is not "
                 "the numbering of the algorithm"
+            ),
+        ),
+        checks=(
+            Check(
+                name="points around each branch point",
+                run="checks.verify.printed_result:around_branch_points",
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(
+                    Mutant(name="without the parent", given={"left_out": "parent"}),
+                    Mutant(name="without one daughter", given={"left_out": "v"}, near=True),
+                ),
             ),
         ),
         rests_on=("alg:greedy-cuts",),

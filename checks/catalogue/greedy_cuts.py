@@ -1,6 +1,6 @@
 """Claims of section 4.1, the greedy algorithm: its cuts, steps 11 to 25."""
 
-from checks.claim import Claim
+from checks.claim import Check, Claim, Erratum, Mutant
 
 _SIGN = (
     r"(used, not stated) $\varphi$ is measured without sign: (eq:angle) as printed is negative "
@@ -18,6 +18,14 @@ CLAIMS: tuple[Claim, ...] = (
             "not matter for the result."
         ),
         hypotheses=("(used, not stated) sectors of one parent do not influence each other", _SIGN),
+        checks=(
+            Check(
+                name="three orders",
+                run="checks.verify.printed_cuts:order_of_choice",
+                routes=("first, last and random choice", "paths and cuts of the sectors"),
+                mutants=(Mutant(name="7 cuts at most", given={"most": 7}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-08-angles",),
     ),
     Claim(
@@ -32,6 +40,20 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             r"(used, not stated) the set is not empty: $\varphi \leq \phi^*$ on the $v$-axis",
             _SIGN,
+        ),
+        checks=(
+            Check(
+                name="cuts of discrete.greedy",
+                run="checks.verify.printed_cuts:cut_place",
+                routes=(
+                    "the algorithm in the disk",
+                    "angles carried intrinsically (discrete.greedy)",
+                ),
+                mutants=(
+                    Mutant(name="one more", given={"shift": 1}, near=True),
+                    Mutant(name="0.96 phi*", given={"level": "24/25"}, near=True),
+                ),
+            ),
         ),
         rests_on=("4.1.algorithm-11-choose",),
     ),
@@ -48,6 +70,20 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) the set is not empty: $\varphi \leq \phi^*$ on the $u$-axis",
             _SIGN,
         ),
+        checks=(
+            Check(
+                name="cuts of discrete.greedy",
+                run="checks.verify.printed_cuts:cut_row",
+                routes=(
+                    "the algorithm in the disk",
+                    "angles carried intrinsically (discrete.greedy)",
+                ),
+                mutants=(
+                    Mutant(name="one more", given={"shift": 1}, near=True),
+                    Mutant(name="0.96 phi*", given={"level": "24/25"}, near=True),
+                ),
+            ),
+        ),
         rests_on=("4.1.algorithm-11-choose",),
     ),
     Claim(
@@ -58,6 +94,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"The nodes with $j > j^*$ and $k > k^*$ are taken out of $\Omega_n$; on what is "
             r"left $\varphi \leq \phi^*$."
+        ),
+        checks=(
+            Check(
+                name="nodes that are left",
+                run="checks.verify.printed_cuts:excision",
+                routes=("the algorithm in the disk", "largest angle"),
+                mutants=(
+                    Mutant(name="one row more", given={"keep_rows": 1}, near=True),
+                    Mutant(name="0.96 phi*", given={"level": "24/25"}, near=True),
+                ),
+            ),
         ),
         rests_on=("4.1.algorithm-12-cut-column", "4.1.algorithm-13-cut-row"),
     ),
@@ -70,6 +117,14 @@ CLAIMS: tuple[Claim, ...] = (
             r"Three sectors $\Omega_{M+1}, \Omega_{M+2}, \Omega_{M+3}$ are added to the list."
         ),
         hypotheses=("$M$ is the number of sectors so far",),
+        checks=(
+            Check(
+                name="list after each cut",
+                run="checks.verify.printed_cuts:bookkeeping",
+                routes=("the algorithm in the disk", "parents of the sectors"),
+                mutants=(Mutant(name="two", given={"added": 2}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-14-excise",),
     ),
     Claim(
@@ -85,6 +140,52 @@ CLAIMS: tuple[Claim, ...] = (
             (
                 r"(used, not stated) $w_1, w_2$ are the images of $\zeta^n_{j^*+1,k^*}$ and "
                 r"$\zeta^n_{j^*,k^*+1}$, which are in $\Omega_n$"
+            ),
+        ),
+        checks=(
+            Check(
+                name="principal arguments",
+                run="checks.verify.printed_cuts:middle_axes",
+                routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
+                mutants=(
+                    Mutant(
+                        name="0.335 of the angle",
+                        given={"variant": "argument", "part": "67/200"},
+                        near=True,
+                    ),
+                ),
+            ),
+            Check(
+                name="arguments from w_1 on",
+                run="checks.verify.printed_cuts:middle_axes",
+                form="corrected",
+                given={"variant": "meant"},
+                routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
+                mutants=(
+                    Mutant(name="0.335", given={"part": "67/200"}, near=True),
+                    Mutant(name="principal arguments", given={"variant": "argument"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=(
+                "$\\varphi_1 = \\mathrm{arg}(w_2 w_1^2)/3$, $\\varphi_2 = \\mathrm{arg}(w_2^2 "
+                "w_1)/3$"
+            ),
+            corrected=(
+                "$\\varphi_1 = \\arg w_1 + \\frac13 \\arg(w_2/w_1)$, $\\varphi_2 = \\arg w_1 + "
+                "\\frac23 \\arg(w_2/w_1)$"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$R = 3$, $\\Delta = 1/10$, $m = 2$: at the cut of the sector $\\Omega_2$ the "
+                "side sectors take $-0.49\\pi$ and $0.84\\pi$ of $0.52\\pi$, since $w_2 w_1^2$ "
+                "has an argument beyond $\\pi$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "With principal values the two directions can be off by a third of a turn, each "
+                "by itself."
             ),
         ),
         rests_on=("4.1.algorithm-15-add-sectors", "eq:trisect", "eq:poincare-surgery"),
@@ -106,6 +207,17 @@ CLAIMS: tuple[Claim, ...] = (
                 "earlier where nodes were discarded"
             ),
         ),
+        checks=(
+            Check(
+                name="nodes of both lines",
+                run="checks.verify.printed_cuts:side_axes",
+                routes=(
+                    "the algorithm in the disk",
+                    "nodes of the parent and of the middle sector",
+                ),
+                mutants=(Mutant(name="from the next node on", given={"shift": 1}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-16-middle-axes",),
     ),
     Claim(
@@ -114,6 +226,17 @@ CLAIMS: tuple[Claim, ...] = (
         where="algorithm (alg:greedy-cuts), step 18, line 1321",
         kind="algorithm",
         statement="Steps 19 to 22 are done for the three new sectors, $p = 1, 2, 3$.",
+        checks=(
+            Check(
+                name="points around the cut",
+                run="checks.verify.printed_result:around_branch_points",
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(
+                    Mutant(name="without the middle one", given={"left_out": "A"}, near=True),
+                    Mutant(name="without the first", given={"left_out": "u"}),
+                ),
+            ),
+        ),
         rests_on=("4.1.algorithm-17-side-axes",),
     ),
     Claim(
@@ -123,6 +246,17 @@ CLAIMS: tuple[Claim, ...] = (
         kind="algorithm",
         statement=r"The nodes $\zeta^{M+p}_{j,k}$ follow from (poincare-ddg) one by one.",
         hypotheses=("(used, not stated) for $j, k$ up to the ends of the two axes",),
+        checks=(
+            Check(
+                name="sides of the rhombi",
+                run="checks.verify.printed_cuts:rhombi",
+                routes=("(poincare-ddg)", "distances"),
+                mutants=(
+                    Mutant(name="minus", given={"sign": -1}),
+                    Mutant(name="1.01", given={"weight": "101/100"}, near=True),
+                ),
+            ),
+        ),
         rests_on=("poincare-ddg", "4.1.algorithm-18-each-daughter"),
     ),
     Claim(
@@ -136,6 +270,25 @@ CLAIMS: tuple[Claim, ...] = (
             "disk is lost."
         ),
         hypotheses=("(used, not stated) as in step 6",),
+        checks=(
+            Check(
+                name="nodes in the disk",
+                run="checks.verify.printed_start:lost_nodes",
+                routes=("the algorithm in the disk", "nodes reached before a fold"),
+                mutants=(
+                    Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
+                    Mutant(name="a disk of 0.9 R", given={"radius": "9/10"}),
+                ),
+            ),
+            Check(
+                name="points of the disk",
+                run="checks.verify.printed_start:rim_quads",
+                form="support",
+                given={"short": "1"},
+                routes=("the algorithm in the disk", "random points"),
+                mutants=(Mutant(name="up to the rim", given={"short": "0"}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-19-fill-daughter", "eq:hyp_radius"),
     ),
     Claim(
@@ -146,6 +299,17 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             r"$\Omega_{M+p}$ is the set of all $\zeta^{M+p}_{j,k}$, $j, k \leq N$, that were not "
             "discarded."
+        ),
+        checks=(
+            Check(
+                name="pieces and Euler characteristic",
+                run="checks.verify.printed_start:staircase",
+                routes=("the algorithm in the disk", "V - E + F of the kept quads"),
+                mutants=(
+                    Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
+                    Mutant(name="discards by place", given={"variant": "discard"}),
+                ),
+            ),
         ),
         rests_on=("4.1.algorithm-20-discard-daughter",),
     ),
@@ -165,6 +329,36 @@ CLAIMS: tuple[Claim, ...] = (
                 "(eq:angle) is negative"
             ),
         ),
+        checks=(
+            Check(
+                name="with its sign",
+                run="checks.verify.printed_cuts:daughter_angles",
+                routes=("(eq:angle)", "the interval from 0 to phi*"),
+                mutants=(Mutant(name="0.96 phi*", given={"most": "24/25"}, near=True),),
+            ),
+            Check(
+                name="without a sign",
+                run="checks.verify.printed_cuts:daughter_angles",
+                form="corrected",
+                given={"variant": "meant"},
+                routes=("(eq:angle)", "the interval from 0 to phi*"),
+                mutants=(
+                    Mutant(name="0.96 phi*", given={"most": "24/25"}, near=True),
+                    Mutant(name="with its sign", given={"variant": "sign"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="$\\varphi_{j,k} = \\mathrm{arg}(w_2w_1^*)$ in all three daughters",
+            corrected="$\\varphi_{j,k} = |\\mathrm{arg}(w_2w_1^*)|$",
+            kind="misprint",
+            witness=(
+                "$R = 3$, $\\Delta = 1/10$, $m = 2$: in $\\Omega_{M+2}$ at the first cut "
+                "$\\varphi$ runs from $-0.17\\pi$ downwards, since step 16 puts its $u$-axis "
+                "next to the $v$-line of the parent"
+            ),
+            conclusion_survives=True,
+        ),
         rests_on=("4.1.algorithm-21-daughter", "eq:angle"),
     ),
     Claim(
@@ -173,6 +367,14 @@ CLAIMS: tuple[Claim, ...] = (
         where="algorithm (alg:greedy-cuts), step 24, line 1327",
         kind="algorithm",
         statement="$M$ grows by $3$, and is the number of sectors in the list.",
+        checks=(
+            Check(
+                name="list after each cut",
+                run="checks.verify.printed_cuts:bookkeeping",
+                routes=("the algorithm in the disk", "parents of the sectors"),
+                mutants=(Mutant(name="two", given={"added": 2}, near=True),),
+            ),
+        ),
         rests_on=("4.1.algorithm-15-add-sectors",),
     ),
     Claim(
@@ -185,6 +387,38 @@ CLAIMS: tuple[Claim, ...] = (
             r"\phi^*$; then $\varphi \leq \phi^*$ at all nodes of the net."
         ),
         hypotheses=(_SIGN,),
+        checks=(
+            Check(
+                name="with the sign",
+                run="checks.verify.printed_cuts:stops",
+                routes=("the algorithm in the disk", "largest angle at the end"),
+                mutants=(Mutant(name="7 cuts at most", given={"most": 7}, near=True),),
+            ),
+            Check(
+                name="without it",
+                run="checks.verify.printed_cuts:stops",
+                form="corrected",
+                given={"variant": "meant"},
+                routes=("the algorithm in the disk", "largest angle at the end"),
+                mutants=(
+                    Mutant(name="7 cuts at most", given={"most": 7}, near=True),
+                    Mutant(name="0.95 phi*", given={"level": "19/20"}, near=True),
+                    Mutant(name="with the sign", given={"variant": "sign"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="until no sector contains points with $\\varphi_{j,k} > \\phi^*$",
+            corrected=(
+                "until no sector contains points of the disk with $|\\varphi_{j,k}| > \\phi^*$"
+            ),
+            kind="misprint",
+            witness=(
+                "$R = 3$, $\\Delta = 1/10$, $m = 2$, $\\phi^* = 3\\pi/4$: the run ends with an "
+                "angle of $-0.99\\pi$ in a middle sector, next to its singular edge"
+            ),
+            conclusion_survives=True,
+        ),
         rests_on=("4.1.algorithm-14-excise", "4.1.algorithm-22-daughter-angles"),
     ),
     Claim(
@@ -195,6 +429,14 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             "The cut of a sector depends on that sector alone: $j^*$ and $k^*$ are the largest "
             "that its own angles allow."
+        ),
+        checks=(
+            Check(
+                name="each sector by itself",
+                run="checks.verify.printed_cuts:local_cut",
+                routes=("the cuts of a run", "the sector filled again from its axes"),
+                mutants=(Mutant(name="one line more", given={"more": 1}, near=True),),
+            ),
         ),
         rests_on=("4.1.algorithm-12-cut-column", "4.1.algorithm-13-cut-row"),
     ),

@@ -459,6 +459,21 @@ CLAIMS: tuple[Claim, ...] = (
             r"and less than $2\pi$ at boundary nodes, so its $K$-surface is unramified."
         ),
         hypotheses=("(used, not stated) the angle of a sector is measured without sign",),
+        checks=(
+            Check(
+                name="angle sums",
+                run="checks.verify.printed_result:angle_sums",
+                routes=("angles in space", "2 pi inside and less at the rim"),
+                mutants=(
+                    Mutant(name="1.01 times 2 pi", given={"turn": "101/100"}, near=True),
+                    Mutant(
+                        name="at most 0.9 times 2 pi at the rim",
+                        given={"boundary": "9/10"},
+                        near=True,
+                    ),
+                ),
+            ),
+        ),
         rests_on=("remark:ramification", "alg:greedy-cuts"),
     ),
     Claim(

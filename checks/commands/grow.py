@@ -4,10 +4,11 @@ from typing import Any
 
 import click
 
+from checks.errors import BadInput
 from checks.grow.computing import Undecided, computed
 from checks.grow.files import Files
 from checks.grow.parameters import parameters
-from checks.output import STDOUT
+from checks.output import STDOUT, write_json
 
 #: Largest relative difference between the areas of the kept quads and of the disk.
 TILED = 1e-8
@@ -25,11 +26,14 @@ def grow_command(
     json_file: str | None,
     net_file: str | None,
     picture_file: str | None,
+    as_printed: str | None,
 ) -> int:
     """Exit code: 0; 4 where the limit of cuts was reached or rounding cannot place a cut."""
     files = Files(json=json_file, net=net_file, picture=picture_file)
     files.require_possible()
     run = parameters(radius=radius, phi0=phi0, sectors=sectors, cutoff=cutoff, step=step)
+    if as_printed is not None:
+        return _grow_as_printed(run, as_printed, files, max_cuts)
     files.require_feasible(run)
     try:
         found = computed(run, jobs=jobs, max_cuts=max_cuts)
@@ -45,6 +49,30 @@ def grow_command(
         click.echo("\n".join(table(tree, found.seconds)))
     _warn(tree, max_cuts)
     return 0 if tree.terminated else 4
+
+
+def _grow_as_printed(run: Any, variant: str, files: Files, max_cuts: int) -> int:
+    """Exit code: 0; 4 where the run does not end as step 25 says."""
+    from checks.grow.printed import plain, printed_result, require_variant, table
+
+    require_variant(variant)
+    if files.net is not None or files.picture is not None:
+        raise BadInput(
+            "--as-printed makes no surface, its quads may overlap: leave out --out and --picture"
+        )
+    result = printed_result(run, variant, max_cuts=max_cuts)
+    data = plain(result)
+    if files.json is not None:
+        write_json(files.json, data)
+    if files.json != STDOUT:
+        click.echo("\n".join(table(data)))
+    if not result.terminated:
+        click.echo(
+            f"kminusone: undecided: the algorithm as printed, variant {variant}, did not end by "
+            f"step 25 but by: {result.run.end}",
+            err=True,
+        )
+    return 0 if result.terminated else 4
 
 
 def _warn(tree: Any, max_cuts: int) -> None:

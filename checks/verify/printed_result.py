@@ -1,0 +1,239 @@
+"""What the printed greedy algorithm leaves: the cover, the quadgraph, the K-surface."""
+
+import math
+from collections import Counter
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from checks.evidence import Evidence, Setting
+from checks.printed.greedy_algorithm import PrintedRun
+from checks.printed.greedy_sector import PrintedSector, inside
+from checks.verify.greedy_samples import tree_of
+from checks.verify.printed_runs import CASES, cut_sectors, found, node, place_of, run_of
+from checks.verify.printed_start import held_points
+from discrete.greedy_net import GreedyNet, greedy_net
+from discrete.point_cover import contained
+
+#: Random points of a disk.
+POINTS = 20000
+
+#: Distance within which nodes of two sectors are one node, in units of Delta.
+ONE_NODE = 1e-6
+
+
+def _random(setting: Setting) -> np.random.Generator:
+    return np.random.default_rng(int.from_bytes(setting.seed.encode()[:8], "big"))
+
+
+def covers(
+    setting: Setting, *, variant: str = "letter", short: str = "0", level: str = "1"
+) -> Evidence:
+    """Whether the disk of radius R - short Delta is covered once, with |phi| <= level phi*."""
+    failures, random = [], _random(setting)
+    for case in CASES:
+        run = run_of(case, variant)
+        held, _ = held_points(run, POINTS, random, float(Fraction(short)))
+        lost, twice = float((held == 0).mean()), float((held > 1).mean())
+        widest = max(
+            float(np.nanmax(np.abs(np.where(near, sector.angles, 0.0)), initial=0.0))
+            for sector in run.sectors
+            if (near := sector.kept & inside(sector.zeta, run.parameters.radius)).any()
+        )
+        told = f"R = {case[0]}, M = {case[1]}"
+        if run.end != "step 25":
+            failures.append(f"{told}: the run ends by {run.end}")
+        if lost or twice:
+            failures.append(f"{told}: {lost:.2%} of the disk in no quad, {twice:.2%} in several")
+        if widest > run.parameters.cutoff * float(Fraction(level)):
+            failures.append(f"{told}: an angle of {widest / math.pi:.4f} pi")
+    return found(
+        failures,
+        shown=f"{POINTS} random points of each of {len(CASES)} disks, each in one quad",
+        tried=len(CASES),
+    )
+
+
+def around_branch_points(
+    setting: Setting, *, left_out: str = "", radius: str = "1", variant: str = "meant"
+) -> Evidence:
+    """Whether the four sectors at each branch point cover a disk around it, once.
+
+    left_out: of parent, u, A, v; radius: of the disk, in units of Delta.
+    """
+    failures, random, tried, count = [], _random(setting), 0, 200
+    for case in CASES:
+        run = run_of(case, variant)
+        modulus = math.tanh(run.parameters.step * float(Fraction(radius)) / 2)
+        around = modulus * np.sqrt(random.random(count)) * np.exp(2j * np.pi * random.random(count))
+        for parent, cut, (u, middle, v) in cut_sectors(run):
+            tried += 1
+            points = place_of(node(parent, *cut), around)
+            four = {"parent": parent, "u": u, "A": middle, "v": v}
+            held = sum(contained(points, _near(four[name], points)) for name in four
+                       if name != left_out)  # fmt: skip
+            if (np.asarray(held) != 1).any():
+                failures.append(
+                    f"sector {parent.path}: {int((np.asarray(held) != 1).sum())} of {count} points "
+                    "not in one quad"
+                )
+    return found(
+        failures, shown=f"{count} points around each of {tried} branch points", tried=tried
+    )
+
+
+def _near(sector: PrintedSector, points: npt.NDArray[np.complex128]) -> Any:
+    """Corners of the kept quads that are not far from the points."""
+    corners = sector.corners()
+    reach = 6 * np.abs(points - points.mean()).max()
+    return corners[np.abs(corners.mean(axis=1) - points.mean()) < reach]
+
+
+def welded(run: PrintedRun, *, share: bool = True) -> npt.NDArray[np.int64]:
+    """Quads (Q, 4) of all sectors by the numbers of their nodes; share: at one place, one node."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    corners = np.concatenate([sector.corners() for sector in run.sectors])
+    near = (2 * np.arctanh(np.abs(corners)) <= run.parameters.radius).any(axis=1)
+    places = corners[near].ravel()
+    if not share:
+        sizes = [len(sector.corners()) for sector in run.sectors]
+        owner = np.repeat(np.repeat(np.arange(len(sizes)), sizes)[near], 4)
+        keys = np.round(places, 9) + 10 * owner
+        return np.unique(keys, return_inverse=True)[1].reshape(-1, 4)
+    scaled = places / (1 - np.abs(places) ** 2)
+    tree = cKDTree(np.column_stack([scaled.real, scaled.imag]))
+    pairs = tree.query_pairs(ONE_NODE * run.parameters.step, output_type="ndarray")
+    ones = np.ones(len(pairs))
+    graph = coo_matrix((ones, (pairs[:, 0], pairs[:, 1])), shape=(len(places), len(places)))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64).reshape(-1, 4)
+
+
+def _edges(quads: npt.NDArray[np.int64]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    sides = np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)])
+    edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    return edges, count
+
+
+def quadgraph(
+    setting: Setting, *, share: bool = True, degree: int = 6, variant: str = "meant"
+) -> Evidence:
+    """Whether the nodes of all sectors make one disk of quads, with the branch points inside.
+
+    share: whether nodes on common axes are one; degree: of the branch points.
+    """
+    del setting
+    failures, told = [], []
+    for case in CASES:
+        run = run_of(case, variant)
+        quads = welded(run, share=share)
+        edges, count = _edges(quads)
+        nodes = np.unique(quads)
+        euler = len(nodes) - len(edges) + len(quads)
+        rim = np.unique(edges[count == 1])
+        degrees = Counter(np.bincount(edges.ravel())[np.setdiff1d(nodes, rim)].tolist())
+        cuts = len(cut_sectors(run))
+        wanted = Counter({degree: cuts}) + Counter({case[1]: 1} if case[1] != 4 else {})
+        wanted[4] = degrees[4]
+        if count.max() > 2 or euler != 1 or degrees != wanted:
+            failures.append(
+                f"R = {case[0]}, M = {case[1]}: V - E + F = {euler}, degrees {dict(degrees)}"
+            )
+        told.append(f"{len(quads)} quads with {cuts} cuts")
+    return found(failures, shown=", ".join(told), tried=len(CASES))
+
+
+def _net(case: tuple[str, int, str, str]) -> GreedyNet:
+    radius, sectors, cutoff, step = case
+    return greedy_net(tree_of(radius, step, str(sectors), cutoff))
+
+
+def _space_angles(net: GreedyNet, k: int) -> Any:
+    corners = net.points[net.quads]
+    a = corners[:, k - 1] - corners[:, k]
+    b = corners[:, (k + 1) % 4] - corners[:, k]
+    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
+
+
+def _disk_angles(net: GreedyNet, k: int) -> Any:
+    z = net.disk[net.quads]
+    a, b = (
+        (z[:, j] - z[:, k]) / (1 - z[:, j] * z[:, k].conj()) for j in ((k - 1) % 4, (k + 1) % 4)
+    )
+    return np.abs(np.angle(b * a.conj()))
+
+
+def surface(setting: Setting, *, lift: str = "0", scale: str = "1") -> Evidence:
+    """Whether the quads go to skew quads of space with planar stars, equal edges, equal angles.
+
+    lift: of one vertex, in units of the edge; scale: of the angles of the net.
+    """
+    del setting
+    failures, tried = [], 0
+    for case in CASES:
+        net = _net(case)
+        inner = len(net.points) // 2
+        net.points[inner] += float(Fraction(lift)) * float(Fraction(case[3])) * net.normals[inner]
+        edges, _ = _edges(net.quads)
+        vector = net.points[edges[:, 1]] - net.points[edges[:, 0]]
+        lengths = np.linalg.norm(vector, axis=1)
+        out = max(
+            np.abs(np.einsum("ij,ij->i", vector, net.normals[edges[:, end]])).max()
+            for end in (0, 1)
+        )
+        turn = max(
+            np.abs(_space_angles(net, k) - float(Fraction(scale)) * _disk_angles(net, k)).max()
+            for k in range(4)
+        )
+        skew = _skewness(net)
+        tried += len(net.quads)
+        gaps = {
+            "edges differ": float(lengths.max() - lengths.min()),
+            "edges leave the planes of their stars": float(out),
+            "angles in space and in the disk differ": float(turn),
+        }
+        failures += [f"M = {case[1]}: {name} by {gap:.3g}" for name, gap in gaps.items()
+                     if gap > 1e-7]  # fmt: skip
+        if skew < 1e-3:
+            failures.append(f"M = {case[1]}: a quad is planar")
+    return found(failures, shown=f"{tried} quads of {len(CASES)} nets", tried=tried)
+
+
+def _skewness(net: GreedyNet) -> float:
+    """Least volume spanned by the edges of a quad, over the cube of the edge times the edge."""
+    p = net.points[net.quads]
+    a, b, c = (p[:, k] - p[:, 0] for k in (1, 2, 3))
+    volume = np.abs(np.einsum("ij,ij->i", a, np.cross(b, c)))
+    edge = np.linalg.norm(a, axis=1)
+    area = np.linalg.norm(np.cross(a, c), axis=1)
+    return float((volume / (area * edge**2)).min())
+
+
+def angle_sums(setting: Setting, *, turn: str = "1", boundary: str = "1") -> Evidence:
+    """Whether angles in space add up to 2 pi inside and to less at the boundary.
+
+    turn, boundary: in units of 2 pi, for inner and for boundary nodes.
+    """
+    del setting
+    failures, tried = [], 0
+    for case in CASES:
+        net = _net(case)
+        total = np.zeros(len(net.points))
+        for k in range(4):
+            np.add.at(total, net.quads[:, k], _space_angles(net, k))
+        edges, count = _edges(net.quads)
+        inside_nodes = np.ones(len(total), dtype=np.bool_)
+        inside_nodes[edges[count == 1].ravel()] = False
+        tried += len(total)
+        whole = 2 * math.pi * float(Fraction(turn))
+        gap = float(np.abs(total[inside_nodes] - whole).max())
+        rim = float(total[~inside_nodes].max()) / (2 * math.pi)
+        if gap > 1e-7:
+            failures.append(f"M = {case[1]}: an inner sum is off by {gap:.3g}")
+        if not rim < float(Fraction(boundary)):
+            failures.append(f"M = {case[1]}: a sum of {rim:.4f} 2 pi at the boundary")
+    return found(failures, shown=f"{tried} nodes of {len(CASES)} nets", tried=tried)
