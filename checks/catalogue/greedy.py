@@ -50,6 +50,25 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="discards by place", given={"variant": "discard"}),
                 ),
             ),
+            Check(
+                name="as discrete.greedy runs it, edges of length 0.01",
+                run="checks.verify.greedy_cover:disk_cover",
+                form="support",
+                tier="full",
+                routes=(
+                    "kept quads of discrete.greedy",
+                    "area of the disk in closed form",
+                    "random points",
+                ),
+                mutants=(
+                    Mutant(
+                        name="0.1 % more area",
+                        given={"share": "1001/1000", "points": 1000},
+                        near=True,
+                    ),
+                    Mutant(name="20 cuts at most", given={"most": 20, "points": 1000}),
+                ),
+            ),
         ),
         erratum=Erratum(
             printed="steps 5, 8, 16 and 22 as they stand, for the disk of radius $R$",
