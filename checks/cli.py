@@ -134,6 +134,9 @@ def value(**options: Any) -> int:
               help="Write the surface: .ply, .obj, .stl, .glb, .vtk or .npz.")  # fmt: skip
 @click.option("--picture", "picture_file", metavar="FILE",
               help="Draw the disk: .png or .svg.")  # fmt: skip
+@click.option("--certified", is_flag=True,
+              help="Decide every comparison by balls; --json adds a certificate to be checked by "
+                   "python -m checks.certificates.")  # fmt: skip
 @click.option("--as-printed", is_flag=False, flag_value="letter", metavar="[VARIANT]",
               help="Run the algorithm of the paper: every line to the letter, or one only "
                    "(fill, sign, argument, discard, nodes, axes), or none (meant).")  # fmt: skip

@@ -31,3 +31,7 @@ class ShapeError(DiscreteError):
 
 class CoincidentVerticesError(DiscreteError):
     """Two vertices coincide: there is no direction from one to the other."""
+
+
+class InsufficientPrecisionError(ArithmeticError):
+    """A comparison of balls stayed undecided up to the limit of bits; no bad input."""

@@ -358,6 +358,34 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="100 cuts", given={"cuts": 100}),
                 ),
             ),
+            Check(
+                name="in balls, R = 3 and 5",
+                run="checks.verify.greedy_certificates:made_anew",
+                tier="full",
+                routes=(
+                    "discrete.certified_greedy (angles and heights carried in balls)",
+                    "checks.certificates.greedy (points of the hyperboloid by half-turns)",
+                ),
+                mutants=(
+                    Mutant(name="one column more", given={"alter": "column"}, near=True),
+                    Mutant(name="0.99 phi*", given={"alter": "cutoff"}, near=True),
+                    Mutant(name="one branch point more", given={"alter": "branch points"}),
+                    Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
+                ),
+            ),
+            Check(
+                name="stored certificates, R = 6",
+                run="checks.verify.greedy_certificates:stored",
+                tier="full",
+                routes=(
+                    "stored run in balls",
+                    "checks.certificates.greedy (points of the hyperboloid by half-turns)",
+                ),
+                mutants=(
+                    Mutant(name="one column more", given={"alter": "column"}, near=True),
+                    Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
+                ),
+            ),
         ),
         rests_on=("alg:greedy-cuts",),
     ),

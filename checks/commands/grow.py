@@ -26,6 +26,7 @@ def grow_command(
     json_file: str | None,
     net_file: str | None,
     picture_file: str | None,
+    certified: bool,
     as_printed: str | None,
 ) -> int:
     """Exit code: 0; 4 where the limit of cuts was reached or rounding cannot place a cut."""
@@ -33,6 +34,8 @@ def grow_command(
     files.require_possible()
     run = parameters(radius=radius, phi0=phi0, sectors=sectors, cutoff=cutoff, step=step)
     if as_printed is not None:
+        if certified:
+            raise BadInput("--certified is for our algorithm, not for --as-printed: give one")
         return _grow_as_printed(run, as_printed, files, max_cuts)
     files.require_feasible(run)
     try:
@@ -43,10 +46,20 @@ def grow_command(
     from checks.grow.summary import plain, table
 
     tree = found.tree
+    data, lines = plain(tree, found.seconds), table(tree, found.seconds)
+    if certified:
+        from checks.grow.certified import certificate_lines, certified_data
+
+        try:
+            data["certificate"] = certified_data(tree, max_cuts=max_cuts)
+        except Undecided as error:
+            click.echo(f"kminusone: undecided: {error}", err=True)
+            return 4
+        lines += certificate_lines(data["certificate"])
     if files.names:
-        files.write(tree, plain(tree, found.seconds))
+        files.write(tree, data)
     if json_file != STDOUT:
-        click.echo("\n".join(table(tree, found.seconds)))
+        click.echo("\n".join(lines))
     _warn(tree, max_cuts)
     return 0 if tree.terminated else 4
 

@@ -8,6 +8,7 @@ from checks.stored import StoredRun, hashes, store
 NAMES = (
     "amsler_bounds",
     "efimov",
+    "greedy_certificates",
     "greedy_limits",
     "greedy_runs",
     "hilbert",

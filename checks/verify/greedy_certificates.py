@@ -1,0 +1,100 @@
+"""Certificates of the greedy algorithm: made anew or stored, and checked by another rule."""
+
+import copy
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from checks.certificates.greedy import verdict
+from checks.certificates.greedy_format import certificate
+from checks.evidence import Evidence, Setting
+from checks.grow.certificate import certificate_of
+from checks.searches.greedy_certificates import parameters
+from checks.stored import load
+from discrete.certified_greedy import certified_tree
+from discrete.greedy import grown
+
+#: Radius, step, sectors and cutoff in half turns.
+RUNS = (
+    ("3", "1/50", 4, "3/4"),
+    ("3", "1/50", 8, "4/5"),
+    ("5", "1/20", 4, "3/4"),
+    ("5", "1/20", 8, "4/5"),
+)
+
+
+def _altered(data: Mapping[str, Any], alter: str) -> Mapping[str, Any]:
+    """Certificate with one field changed: a cut one column on, its angle, a total, the cutoff."""
+    if not alter:
+        return data
+    found = copy.deepcopy(dict(data))
+    cut = next(sector["cut"] for sector in found["sectors"] if sector["cut"])
+    if alter == "column":
+        cut["i"] += 1
+    elif alter == "angle":
+        m, e, r, f = cut["angle"].split()
+        cut["angle"] = f"{int(m) + (int(m) >> 30)} {e} {r} {f}"
+    elif alter == "branch points":
+        found["totals"]["branch_points"] += 1
+    elif alter == "cutoff":
+        turns = Fraction(found["parameters"]["cutoff"][1])
+        found["parameters"]["cutoff"][1] = str(turns * Fraction(99, 100))
+    return found
+
+
+def _evidence(wrong: list[str], left: list[str], *, shown: str, tried: int) -> Evidence:
+    return Evidence(
+        outcome="fail" if wrong else "undecided" if left else "pass",
+        grade="certified",
+        shown=shown,
+        tried=tried,
+        met=tried,
+        witness="; ".join((wrong or left)[:3]),
+    )
+
+
+def made_anew(setting: Setting, *, alter: str = "") -> Evidence:
+    """Whether runs in balls end, with sound certificates and the cuts of discrete.greedy."""
+    del setting
+    wrong: list[str] = []
+    left: list[str] = []
+    quads = 0
+    for radius, step, sectors, cutoff in RUNS:
+        told = f"R = {radius}, 2 m = {sectors}, phi* = {cutoff} pi"
+        run = parameters(radius, step, sectors, cutoff)
+        tree, floats = certified_tree(run), grown(run)
+        cuts = {sector.path: sector.cut and (sector.cut.i, sector.cut.k) for sector in tree.sectors}
+        same = {
+            path: (int(row["i_cut"]), int(row["k_cut"])) if row["cut"] else None
+            for row, path in zip(floats.sectors, floats.paths, strict=True)
+        }
+        if cuts != same:
+            wrong.append(f"{told}: discrete.greedy makes other cuts")
+        said = verdict(certificate(_altered(certificate_of(tree), alter)))
+        wrong += [f"{told}: {said.wrong}"] if said.wrong else []
+        left += [f"{told}: {said.open}"] if said.open else []
+        quads += said.quads
+    return _evidence(
+        wrong,
+        left,
+        shown=f"{len(RUNS)} runs end, with {quads} quads up to symmetry, every comparison by balls",
+        tried=len(RUNS),
+    )
+
+
+def stored(setting: Setting, *, alter: str = "") -> Evidence:
+    """Whether the stored certificates of the disk of radius 6 are sound."""
+    del setting
+    run = load("greedy_certificates")
+    wrong = ["the stored run greedy_certificates is older than its sources"] if run.stale else []
+    left: list[str] = []
+    quads = 0
+    for data in run.result["certificates"]:
+        said = verdict(certificate(_altered(data, alter)))
+        wrong += [said.wrong] if said.wrong else []
+        left += [said.open] if said.open else []
+        quads += said.quads
+    count = len(run.result["certificates"])
+    return _evidence(
+        wrong, left, shown=f"{count} certificates of R = 6, edges 1/25: {quads} quads", tried=count
+    )
