@@ -1,17 +1,9 @@
-"""Claims of section 4.1, one branch point of high index and the dual of the greedy algorithm."""
+"""Claims of section 4.1, one branch point of high index, and the start of the dual of the greedy algorithm."""
 
-from checks.claim import Check, Claim, Mutant
+from checks.claim import Check, Claim, Erratum, Mutant
 
-_DUAL = "$m$ as in the algorithm, $g$ as in item (1)"
-_MONO = r"$m \geq 6$, $\phi^* \leq \pi/2$"
-_SIGN = (
-    r"(used, not stated) $\varphi$ is measured without sign: (eq:angle) as printed is negative "
-    r"in the sectors $\Omega_{M+2}$, whose $v$-axis lies clockwise of the $u$-axis"
-)
-_SMALL = (
-    r"(used, not stated) $\Delta$ is small against the distance of the cut from the axes, so "
-    r"that $j^*, k^* \geq 1$"
-)
+_ORDER = "checks.verify.greedy_dual_saddle_order:"
+_GENERATIONS = "checks.verify.greedy_dual_generations:"
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -25,6 +17,18 @@ CLAIMS: tuple[Claim, ...] = (
             "singular edges are farther than $R$ from it."
         ),
         rests_on=("def:amsler-sector", "PIII", "prop:assembly"),
+        checks=(
+            Check(
+                name="enough sectors",
+                run=_ORDER + "exists",
+                tier="full",
+                routes=(
+                    "length of the mirror line up to phi = pi (mpmath)",
+                    "theory.periodic_amsler (balls)",
+                ),
+                mutants=(Mutant(name="m_0 - 1", given={"offset": -1}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="fig:branchedpoincareimmersions",
@@ -82,6 +86,68 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("4.1.periodic-amsler", "PIII"),
+        checks=(
+            Check(
+                name="as printed",
+                run=_ORDER + "scale",
+                routes=("printed e^R", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="R^(1/10) e^R", given={"power": "1/10"}, near=True),
+                    Mutant(name="R^(1/2) e^R", given={"power": "1/2"}),
+                ),
+            ),
+            Check(
+                name="with 1/sqrt(R)",
+                run=_ORDER + "scale",
+                form="corrected",
+                given={"power": "-1/2"},
+                routes=("R^(-1/2) e^R", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="R^(-2/5)", given={"power": "-2/5"}, near=True),
+                    Mutant(name="R^(-3/5)", given={"power": "-3/5"}, near=True),
+                    Mutant(name="as printed", given={"power": "0"}),
+                ),
+            ),
+            Check(
+                name="constant",
+                run=_ORDER + "constant",
+                form="support",
+                routes=("(pi/2) I_0(R)", "length of the mirror line up to phi = pi (mpmath)"),
+                mutants=(
+                    Mutant(name="1 % less", given={"factor": "99/100"}, near=True),
+                    Mutant(name="I_0(R)", given={"factor": "7/11"}),
+                ),
+            ),
+            Check(
+                name="bound from above",
+                run=_ORDER + "bound_above",
+                form="support",
+                tier="full",
+                routes=(
+                    "theory.periodic_amsler_bounds",
+                    "length of the mirror line up to phi = pi (mpmath)",
+                ),
+                mutants=(
+                    Mutant(name="0.62, below the limit by 1 %", given={"most": "31/50"}, near=True),
+                    Mutant(name="1/2", given={"most": "1/2"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$m_0 \sim C e^R$",
+            corrected=r"$m_0 \sim \sqrt{\pi/8}\, R^{-1/2} e^R$, the same as $\frac{\pi}{2} I_0(R)$",
+            kind="false",
+            witness=(
+                r"$m_0 e^{-R} = 0.1809, 0.1351, 0.0988, 0.0712, 0.0509$ at $R = 12, 22, 40, 77, "
+                r"151$ falls like $R^{-1/2}$, and $m_0 \leq 2.15\, R^{-1/2} e^R$ for all $R \geq "
+                "1$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                "Read as a bound from above, $m_0 = O(e^R)$ is all that items (1) and (6) use: "
+                r"$g \sim R/\log 3$ and $\mathcal{E}_\infty < C' e^R$ stay."
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-1-generations",
@@ -97,6 +163,18 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) $m_0 > m/3$, so that $g \geq 0$",
         ),
         rests_on=("4.1.dual-saddle-order",),
+        checks=(
+            Check(
+                name="one g for every m and m_0",
+                run=_GENERATIONS + "generations",
+                routes=("printed condition, all g from -3 to 8", "m_0 <= m' < 3 m_0"),
+                mutants=(
+                    Mutant(name="<= on both sides", given={"closed": True}),
+                    Mutant(name="g + 1", given={"shift": 1}, near=True),
+                    Mutant(name="2^g m", given={"base": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-1-expected-depth",
@@ -108,285 +186,52 @@ CLAIMS: tuple[Claim, ...] = (
             r"section 5.1; as $m_0 \sim C e^R$ it grows like $R / \log 3$."
         ),
         rests_on=("4.1.dual-1-generations",),
-    ),
-    Claim(
-        id="4.1.dual-2-first-step",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (2), line 1410",
-        kind="item",
-        statement=(
-            "In the first step $2m$ daughters, each of degree $3^g$, move out of the origin in "
-            "their sectors, and a branch point of index $m$ is left there."
-        ),
-        hypotheses=(
-            _DUAL,
-            (
-                "(used, not stated) degree is the number of sectors that a daughter carries "
-                "outward: its degree as a vertex is $3^g + 3$"
-            ),
-        ),
-        rests_on=("4.1.dual-1-generations", "4.1.branch-point-degree"),
-    ),
-    Claim(
-        id="4.1.dual-2-stop-at-cutoff",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (2), line 1410",
-        kind="item",
-        statement=(
-            r"The daughters move until the largest $\varphi$ over each sector that grows at the "
-            r"origin equals $\phi^*$."
-        ),
-        hypotheses=(
-            _DUAL,
-            (
-                "(used, not stated) the largest angle increases continuously with the position "
-                "of the daughter"
-            ),
-        ),
-        rests_on=("4.1.dual-2-first-step",),
-    ),
-    Claim(
-        id="4.1.dual-2-same-cut",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (2), line 1411",
-        kind="sentence",
-        statement=(
-            "The first generation of the dual has the places $(j^*, k^*)$ of steps 12 and 13 in "
-            "each of the $2m$ initial sectors."
-        ),
-        hypotheses=(
-            _DUAL,
-            (
-                "(used, not stated) a daughter has two coordinates, so that one condition on the "
-                "largest angle does not fix its place"
-            ),
-        ),
-        rests_on=(
-            "4.1.dual-2-stop-at-cutoff",
-            "4.1.algorithm-12-cut-column",
-            "4.1.algorithm-13-cut-row",
-        ),
-    ),
-    Claim(
-        id="4.1.dual-3-stage",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (3), line 1412",
-        kind="item",
-        statement=(
-            r"At stage $k$ there are $2 \cdot 3^{k-1} m$ daughters to move out, each of degree "
-            "$3^{g-k}$."
-        ),
-        hypotheses=(
-            _DUAL,
-            r"$1 \leq k \leq g$",
-            "(used, not stated) degree is meant as in item (2); stage $1$ is the first step",
-        ),
-        rests_on=("4.1.dual-2-first-step",),
-    ),
-    Claim(
-        id="4.1.dual-3-stop-at-cutoff",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (3), line 1412",
-        kind="item",
-        statement=(
-            r"At stage $k$ the daughters move until the largest $\varphi$ in the sectors at the "
-            r"branch points of generation $k - 1$ equals $\phi^*$."
-        ),
-        hypotheses=(_DUAL, r"$1 \leq k \leq g$"),
-        rests_on=("4.1.dual-3-stage",),
-    ),
-    Claim(
-        id="4.1.dual-4-cover",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (4), line 1413",
-        kind="item",
-        statement="At every stage the sectors together cover the whole disk.",
-        hypotheses=(
-            _DUAL,
-            "(used, not stated) no sector develops a singular edge inside the disk on the way",
-        ),
-        rests_on=("4.1.dual-3-stage", "4.1.periodic-amsler"),
-    ),
-    Claim(
-        id="4.1.dual-5-comparison",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (5), line 1414",
-        kind="proposition",
-        statement=(
-            r"Let $\varphi_1, \varphi_2$ solve $\partial_{uv}\varphi = \sin\varphi$ on $J = [0, "
-            r"u_0] \times [0, v_0]$ with $\varphi_1(u, 0) \leq \varphi_2(u, 0)$ and "
-            r"$\varphi_1(0, v) \leq \varphi_2(0, v)$. Then $\varphi_1 \leq \varphi_2$ on $J$."
-        ),
-        hypotheses=(
-            r"$0 < \varphi_i < \pi/2$ on $J$, $i = 1, 2$",
-            r"$0 \leq u \leq u_0$, $0 \leq v \leq v_0$ in the two inequalities",
-            (
-                r"(used, not stated) the difference $\varphi_2(u, 0) + \varphi_2(0, v) - "
-                r"\varphi_2(0, 0)$ minus the same for $\varphi_1$ is not negative on $J$: for "
-                "example both differences on the axes increase from the corner"
-            ),
-        ),
-        rests_on=("eq:hazzidakis",),
-    ),
-    Claim(
-        id="4.1.dual-5-monotone",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (5), line 1414",
-        kind="sentence",
-        statement=(
-            "By the comparison principle the dual process is monotone: moving a branch point "
-            r"outward does not decrease $\varphi$ in the sectors that it changes."
-        ),
-        hypotheses=(
-            r"$\phi^* \leq \pi/2$",
-            (
-                "(used, not stated) the data on the axes before and after are ordered as the "
-                "comparison principle needs"
-            ),
-        ),
-        rests_on=("4.1.dual-5-comparison", "4.1.dual-3-stage"),
-    ),
-    Claim(
-        id="4.1.dual-6-same-result",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=(
-            "The greedy algorithm and the dual, which starts from the periodic Amsler surface on "
-            "the disk of radius $R$ and moves branch points outward, have the same result."
-        ),
-        hypotheses=(_MONO,),
-        rests_on=("4.1.dual-5-monotone", "4.1.dual-2-same-cut"),
-    ),
-    Claim(
-        id="4.1.dual-6-no-new-branch-points",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=(
-            "A branch point that reaches the circle can be dropped with all its sectors, and "
-            "none ever enters the disk."
-        ),
-        hypotheses=(_MONO, "(used, not stated) a branch point only moves away from the origin"),
-        rests_on=("4.1.dual-5-monotone",),
-    ),
-    Claim(
-        id="4.1.dual-6-termination",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement="The greedy algorithm ends after finitely many steps.",
-        hypotheses=(_MONO, _SIGN, _SMALL),
-        rests_on=("4.1.dual-6-same-result", "4.1.dual-6-no-new-branch-points", "alg:greedy-cuts"),
-    ),
-    Claim(
-        id="4.1.dual-6-number-of-sectors",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=r"The number of sectors satisfies $M \leq 2 \cdot 3^g m$.",
-        hypotheses=(
-            _MONO,
-            _DUAL,
-            (
-                "(used, not stated) only sectors that were never cut are counted: the count $M$ "
-                "of step 24 keeps those that were cut"
-            ),
-        ),
-        rests_on=("4.1.dual-6-termination", "4.1.algorithm-24-count", "4.1.dual-1-generations"),
-    ),
-    Claim(
-        id="4.1.dual-6-six-m0",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="equation",
-        statement=r"$2 \cdot 3^g m < 6 m_0$.",
-        hypotheses=("$3^{g-1} m < m_0$",),
-        rests_on=("4.1.dual-1-generations",),
-    ),
-    Claim(
-        id="4.1.dual-6-smallest-angle",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=r"The smallest angle satisfies $\varphi \geq 3^{-g}\,\pi/m$.",
-        hypotheses=(
-            _MONO,
-            _DUAL,
-            (
-                r"(used, not stated) there are at most $g$ generations, and $\varphi$ does not "
-                "decrease away from a branch point"
-            ),
-        ),
-        rests_on=("4.1.dual-6-termination", "5.1.monotone"),
-    ),
-    Claim(
-        id="4.1.dual-6-energy-in-generations",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=r"$\mathcal{E}_\infty < C\, 3^g m$ with a constant $C$ independent of $R$.",
-        hypotheses=(_MONO, _DUAL, r"(used, not stated) $C$ may depend on $\phi^*$"),
-        rests_on=("4.1.dual-6-smallest-angle", "ebound"),
-    ),
-    Claim(
-        id="4.1.dual-6-energy-in-radius",
-        section="4.1",
-        where="section 4.1, dual interpretation, item (6), line 1415",
-        kind="item",
-        statement=(
-            r"$C\, 3^g m < C' e^R$ with a constant $C'$ independent of $R$, hence "
-            r"$\mathcal{E}_\infty < C' e^R$."
-        ),
-        hypotheses=(_MONO, _DUAL, r"$m_0 \sim C e^R$"),
-        rests_on=("4.1.dual-6-energy-in-generations", "4.1.dual-saddle-order"),
-    ),
-    Claim(
-        id="4.1.terminates-beyond-right-angle",
-        section="4.1",
-        where="section 4.1, line 1418",
-        kind="sentence",
-        statement=r"In numerical runs the algorithm ends also for $\phi^* > \pi/2$.",
-        hypotheses=(r"$\pi/2 < \phi^* < \pi$", _SIGN, _SMALL),
         checks=(
             Check(
-                name="stored runs",
-                run="checks.verify.greedy_tree_shape:runs_beyond_right_angle",
-                routes=("stored runs", "area of the disk in closed form"),
+                name="runs",
+                run="checks.verify.greedy_dual_result:depth",
+                routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
+                mutants=(Mutant(name="g + 1", given={"more": 1}, near=True),),
+            ),
+            Check(
+                name="at least g",
+                run="checks.verify.greedy_dual_result:depth",
+                form="corrected",
+                given={"exactly": False},
+                routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
-                    Mutant(name="1 % more area", given={"covered": "101/100"}, near=True),
-                    Mutant(name="100 cuts", given={"cuts": 100}),
+                    Mutant(name="at least g + 1", given={"more": 1}, near=True),
+                    Mutant(name="exactly g", given={"exactly": True}),
                 ),
             ),
             Check(
-                name="in balls, R = 3 and 5",
-                run="checks.verify.greedy_certificates:made_anew",
-                tier="full",
-                routes=(
-                    "discrete.certified_greedy (angles and heights carried in balls)",
-                    "checks.certificates.greedy (points of the hyperboloid by half-turns)",
-                ),
+                name="growth of g",
+                run=_ORDER + "depth_growth",
+                form="support",
+                routes=("printed R/log 3", "length of the mirror line up to phi = pi (mpmath)"),
                 mutants=(
-                    Mutant(name="one column more", given={"alter": "column"}, near=True),
-                    Mutant(name="0.99 phi*", given={"alter": "cutoff"}, near=True),
-                    Mutant(name="one branch point more", given={"alter": "branch points"}),
-                    Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
-                ),
-            ),
-            Check(
-                name="stored certificates, R = 6",
-                run="checks.verify.greedy_certificates:stored",
-                tier="full",
-                routes=(
-                    "stored run in balls",
-                    "checks.certificates.greedy (points of the hyperboloid by half-turns)",
-                ),
-                mutants=(
-                    Mutant(name="one column more", given={"alter": "column"}, near=True),
-                    Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
+                    Mutant(name="1 % more", given={"rate": "101/100"}, near=True),
+                    Mutant(name="2 R", given={"rate": "2"}),
                 ),
             ),
         ),
-        rests_on=("alg:greedy-cuts",),
+        erratum=Erratum(
+            printed="$g$ is the number of generations",
+            corrected=(
+                "the greedy algorithm has at least $g$ generations of branch points, and more as "
+                "$R$ grows"
+            ),
+            kind="false",
+            witness=(
+                "$R = 4$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $m_0 = 18$ "
+                "and $g = 1$, while the greedy algorithm has 2 generations; $R = 8$: $g = 5$ and "
+                "8 generations"
+            ),
+            conclusion_survives=False,
+            remark=(
+                "The number of generations grows like $1.3 R$ on these runs, $g$ like $R/\\log 3 "
+                "= 0.91 R$."
+            ),
+        ),
     ),
 )
