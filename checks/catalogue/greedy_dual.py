@@ -1,4 +1,4 @@
-"""Claims of section 4.1, one branch point of high index, and the start of the dual of the greedy algorithm."""
+"""Claims of section 4.1, one branch point of high index and the start of the dual."""
 
 from checks.claim import Check, Claim, Erratum, Mutant
 

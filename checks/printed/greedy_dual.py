@@ -15,7 +15,7 @@ def data_ordered(on_u: Sequence[Any], on_v: Sequence[Any], *, needs: str = "axes
     `mixed sum`, w(u, 0) + w(0, v) - w(0, 0) >= 0 for all u, v.
     """
     if needs == "axes":
-        return min(on_u) >= 0 and min(on_v) >= 0
+        return bool(min(on_u) >= 0 and min(on_v) >= 0)
     return bool(min(on_u) + min(on_v) - on_u[0] >= 0)
 
 
