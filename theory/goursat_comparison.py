@@ -1,4 +1,4 @@
-r"""Comparison of two solutions of phi_uv = sin phi on [0, u_0] x [0, v_0] by their data on the axes.
+r"""Comparison of two solutions of phi_uv = sin phi on a rectangle by their data on both axes.
 
 The difference w = phi_2 - phi_1 solves w_uv = c w with c = (sin phi_2 - sin phi_1)/w, in (0, 1] as
 long as 0 < phi_1, phi_2 < pi/2. With A(u, v) = w(u, 0) + w(0, v) - w(0, 0) that is w = A + T w,
