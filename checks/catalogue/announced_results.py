@@ -1,6 +1,6 @@
 """Claims of the introduction: branch points and theorems announced there."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _V = "checks.verify.introduction:"
 
@@ -209,9 +209,16 @@ CLAIMS: tuple[Claim, ...] = (
             ("(used, not stated) the limit is a $C^{1,1}$ immersion of a simply connected domain"),
         ),
         rests_on=("thm:branched",),
+        citation=Citation(
+            source="as (thm:branched), in the form of 3.3.degree-stable",
+            reason="a statement about all sequences: that the degree stays in the limit is "
+            "analysis; what follows for stars of any order is decided by computer",
+            search="search for a smooth saddle near the monkey saddle",
+        ),
         checks=(
             Check(
                 name="order of the limit",
+                form="support",
                 run="checks.verify.robust_index:unbranched_limit",
                 tier="full",
                 routes=(
@@ -226,6 +233,20 @@ CLAIMS: tuple[Claim, ...] = (
                         given={"share": "101/100"},
                         near=True,
                     ),
+                ),
+            ),
+            Check(
+                name="search for a smooth saddle near the monkey saddle",
+                run="checks.verify.branch_searches:smooth_near_star_search",
+                tier="full",
+                form="support",
+                routes=(
+                    "cells of a Chebyshev net, minimised",
+                    "inversion of the net on polar grids",
+                ),
+                mutants=(
+                    Mutant(name="a kinked star of order 2", given={"target": "kinked"}),
+                    Mutant(name="1 % farther", given={"bound_percent": 116}, near=True),
                 ),
             ),
         ),

@@ -1,6 +1,6 @@
 """Claims of section 6, the discussion."""
 
-from checks.claim import Check, Claim, Mutant
+from checks.claim import Check, Citation, Claim, Mutant
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -80,9 +80,15 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("thm:branched", "def:Jp"),
+        citation=Citation(
+            source="(thm:branched), in the form of 3.3.degree-stable",
+            reason="that the index stays under all such limits is analysis; the distance that the "
+            "normals keep and the indices of stars and smooth saddles are decided by computer",
+        ),
         checks=(
             Check(
                 name="index of a limit",
+                form="support",
                 run="checks.verify.robust_index:limit_index",
                 routes=(
                     "degrees of loops in balls",

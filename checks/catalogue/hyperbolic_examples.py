@@ -879,7 +879,7 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _EXAMPLE,
             "(used, not stated) the sector is that of panel (d), beside the middle one",
-            "(used, not stated) about: nearest of the circles of the figure, 0.5 apart",
+            "(used, not stated) about: both digits printed are meant, so within 0.05",
             _FINE,
         ),
         rests_on=("4.1.second-generation-meets-circle", "eq:hyp_radius"),
@@ -892,10 +892,22 @@ CLAIMS: tuple[Claim, ...] = (
                     "nets by angles and frames",
                     "contour and circle by splines",
                 ),
+                mutants=(Mutant(name="about 1.4", given={"value": "7/5"}, near=True),),
+            ),
+            Check(
+                name="about 1.6",
+                run=_SECOND + "second_radius",
+                form="corrected",
+                given={"value": "8/5"},
+                tier="full",
+                routes=(
+                    "nets by angles and frames",
+                    "contour and circle by splines",
+                ),
                 mutants=(
                     Mutant(name="middle sector", given={"sector": "middle"}),
-                    Mutant(name="about 2", given={"value": "2"}),
-                    Mutant(name="within 0.12 of 1.5", given={"within": "12/100"}, near=True),
+                    Mutant(name="about 1.7", given={"value": "17/10"}, near=True),
+                    Mutant(name="about 1.5", given={"value": "3/2"}, near=True),
                 ),
             ),
             Check(
@@ -913,6 +925,17 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="weights 1, 1", given={"weight": 1}, near=True),
                 ),
             ),
+        ),
+        erratum=Erratum(
+            printed=r"$R \approx 1.5$",
+            corrected=r"$R \approx 1.6$",
+            kind="constant",
+            witness=(
+                "the second cut of the sector beside the middle one lies at $1.6220$ in the limit "
+                "$\\Delta \\to 0$, by nets and by the limit (theory.greedy_limit: $1.62203138$)"
+            ),
+            conclusion_survives=True,
+            remark="Of the circles of the figure, 0.5 apart, that of radius 1.5 is the nearest.",
         ),
     ),
     Claim(

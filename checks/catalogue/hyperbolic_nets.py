@@ -134,6 +134,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="quad by quad",
                 run=_STARS + "quad",
+                part="quad",
                 tier="full",
                 routes=(
                     "discrete.lelieuvre on half-turns of S^2, in a field of fractions",
@@ -148,6 +149,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="across sectors",
                 run=_STARS + "whole",
+                part="net",
                 routes=(
                     "discrete.planar_stars with the angles of the net",
                     "angles between half-turns of triples of H^2",

@@ -57,7 +57,7 @@ def second_radius(
     setting: Setting,
     *,
     value: str = "3/2",
-    within: str = "1/4",
+    within: str = "1/20",
     sector: str = "outer",
     level: str = LEVEL,
 ) -> Evidence:
@@ -81,8 +81,7 @@ def second_radius(
         residual=f"{off:.2g}",
         tried=3,
         met=3,
-        shown=f"the second cut of the {sector} sector is {found} from the crossing; the circles of "
-        "the figure are 0.5 apart, and 1.5 is the nearest to it",
+        shown=f"the second cut of the {sector} sector is {found} from the crossing",
         witness="" if fine else f"the {sector} sector is cut at the distance {found}",
     )
 
