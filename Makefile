@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: check test lint bench notes clean
+.PHONY: check test lint bench speed notes clean
 
 check: $(VENV)/.core
 	$(BIN)/python -m checks check --tier full
@@ -18,6 +18,10 @@ lint: $(VENV)/.dev
 
 bench: $(VENV)/.dev
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-only
+
+# Times the greedy algorithm and puts the table into the README.
+speed: $(VENV)/.dev
+	$(BIN)/python -m tests.benchmarks.speed_table
 
 # Runs the full suite, keeps its ledger and rebuilds every note from it.
 notes: $(VENV)/.core
