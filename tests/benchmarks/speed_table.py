@@ -94,7 +94,7 @@ def lines(rows: list[dict[str, Any]], net: tuple[float, int]) -> list[str]:
     found = [
         f"Four initial sectors, cutoff 3 pi/4, {THREADS} threads, warm kernels, medians, on",
         f"{processor()} with Python {platform.python_version()}.",
-        "The last column compares the time for a unit of area, for edges of one length, with R = 6.",
+        "The last column compares the time for a unit of area, at edges of one length, to R = 6.",
         "",
         "| R | edges | seconds | branch points | peak MB | time/area |",
         "| ---: | ---: | ---: | ---: | ---: | ---: |",
