@@ -249,6 +249,17 @@ CLAIMS: tuple[Claim, ...] = (
             r"branch points of generation $k - 1$ equals $\phi^*$."
         ),
         hypotheses=(_DUAL, r"$1 \leq k \leq g$"),
+        checks=(
+            Check(
+                name="largest angles kept at the cuts",
+                run="checks.verify.greedy_stop:stops_at_cutoff",
+                routes=("runs of discrete.greedy", "order 1 in the edge length"),
+                mutants=(
+                    Mutant(name="1.01 phi*", given={"level": "101/100"}, near=True),
+                    Mutant(name="0.99 phi*", given={"level": "99/100"}, near=True),
+                ),
+            ),
+        ),
         rests_on=("4.1.dual-3-stage",),
     ),
     Claim(
