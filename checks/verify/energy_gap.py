@@ -64,3 +64,24 @@ def energy_gap(
         "monkey saddle of six Amsler sectors; R = 8/5: 1.995, R = 2: 2.483 against cot(pi/8) < "
         "2.415 for eight",
     )  # fmt: skip
+
+
+def substantially_below(
+    setting: Setting, *, share: str = "9/10", radius: str = "8/5", sectors: int = 6
+) -> Evidence:
+    """A branched surface of one disk with E_inf below this share of that of all C^2 isometries."""
+    chosen = Fraction(radius)
+
+    def rows() -> Iterator[Row]:
+        branched = periodic_amsler.max_curvature(chosen, sectors, digits=20).ball()
+        smooth = inscribed_square.least_energy(chosen, digits=20).ball()
+        yield f"R = {radius}, {sectors} sectors", branched, fraction(share) * smooth
+
+    return combined(
+        {
+            "square": _square(setting, "1"),
+            "quotient": bounded(rows(), shown="E_inf of the branched surface is far below"),
+        },
+        shown=f"R = {radius}: E_inf of {sectors} Amsler sectors is below {share} of that of every "
+        "C^2 isometry",
+    )
