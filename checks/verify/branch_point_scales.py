@@ -45,7 +45,7 @@ def _ratios(key: tuple[str, str, str], metric: str, first: int) -> tuple[list[fl
 
 
 def smaller_scales(
-    setting: Setting, *, metric: str = "surface", first: int = 3, most: str = "1"
+    setting: Setting, *, metric: str = "surface", first: int = 2, most: str = "1"
 ) -> Evidence:
     """Whether the distance of sisters falls from each generation to the next, to a share of it.
 
