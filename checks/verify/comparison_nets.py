@@ -86,12 +86,17 @@ def one_branch_point(radius: str) -> tuple[str, str, str]:
 
 
 def figure(
-    setting: Setting, *, sectors: str = "", smaller: bool = False, distributed: str = "4"
+    setting: Setting,
+    *,
+    sectors: str = "",
+    smaller: bool = False,
+    distributed: str = "4",
+    percent: int = 100,
 ) -> Evidence:
     """Whether the nets of both columns are disks with the branch points and colours stated.
 
     sectors: number on the right, by default the best; smaller: colour by the smaller curvature;
-    distributed: number of initial sectors on the left.
+    distributed: number of initial sectors on the left; percent: of the curvature in space.
     """
     del setting
     failures, told = [], []
@@ -106,10 +111,11 @@ def figure(
             wanted = at_centre == [int(key[1])] and not off_centre
             if single != wanted or (not single and len(off_centre) < 2):
                 failures.append(f"{name}: {len(off_centre)} branch points off the centre")
-            # A quad's middle is within a half edge of the vertices at which the sweep looks.
-            gap = abs(np.log(net.largest / tree.max_curvature))
-            if not net.closed or net.angle_gap > ROUNDING or gap > 2 * float(Fraction(STEP)):
-                failures.append(f"{name}: {net.largest:.3f}, swept {tree.max_curvature:.3f}")
+            # The middle of a quad is within an edge of the vertices at which the sweep looks.
+            largest = net.largest * percent / 100
+            gap = abs(np.log(largest / tree.max_curvature))
+            if not net.closed or net.angle_gap > ROUNDING or gap > float(Fraction(STEP)):
+                failures.append(f"{name}: {largest:.3f}, swept {tree.max_curvature:.3f}")
             told.append(f"{len(net.branched)} branch points, {net.largest:.2f} ({name})")
     return found(failures, shown="; ".join(told), tried=len(told))
 

@@ -84,9 +84,7 @@ def _limit_agrees() -> list[str]:
     return failures
 
 
-def law(
-    setting: Setting, *, power: str = "1", less: str = "0", lowest: int = 3
-) -> Evidence:
+def law(setting: Setting, *, power: str = "1", less: str = "0", lowest: int = 3) -> Evidence:
     """Whether each generation appears within half a one of a + b (R^power - less sqrt R).
 
     b > 0; lowest: radius from which on the generations count.
@@ -108,9 +106,7 @@ def law(
     )
 
 
-def root_law(
-    setting: Setting, *, power: str = "1", less: str = "1", lowest: int = 1
-) -> Evidence:
+def root_law(setting: Setting, *, power: str = "1", less: str = "1", lowest: int = 1) -> Evidence:
     """The law a + b (R - sqrt R), from the first generation on."""
     return law(setting, power=power, less=less, lowest=lowest)
 
