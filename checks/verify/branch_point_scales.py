@@ -69,7 +69,7 @@ def smaller_scales(
 
 
 def recursion(setting: Setting, *, daughters: int = 3, until: int = 4) -> Evidence:
-    """Whether each generation up to this one has as many branch points as the last has daughters."""
+    """Whether each generation up to this one has so many times the branch points of the last."""
     del setting
     failures, told, tried = [], [], 0
     for key in RUNS:

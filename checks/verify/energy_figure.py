@@ -54,7 +54,7 @@ def rival_energy(name: str, radius: Fraction) -> float:
 
 
 def _rows(lowest: Fraction) -> list[tuple[str, list[Fraction], list[float]]]:
-    """Name, radii and energies of each set of runs from this radius on, in nets and in the limit."""
+    """Name, radii and energies of each set of runs from this radius on: nets, then the limit."""
     rows = []
     for sectors, cutoff in SETS:
         runs = finest(sectors, cutoff)
