@@ -58,8 +58,8 @@ def _samples(lowest: int) -> list[tuple[str, Array, Array]]:
     """Name, radii and numbers of the generations of each set of runs, from this radius on."""
     found_samples = []
     for sectors, cutoff in SETS:
-        radii = np.array(first_radii(sectors, cutoff))
-        number = 1.0 + np.arange(len(radii))
+        radii: Array = np.array(first_radii(sectors, cutoff))
+        number: Array = np.arange(1, len(radii) + 1, dtype=np.float64)
         kept = radii >= lowest
         found_samples.append((f"2 m = {sectors}, phi* = {cutoff} pi", radii[kept], number[kept]))
     return found_samples

@@ -52,8 +52,8 @@ def blend(s: Array, width: float) -> Array:
 
 def pieces(width: int) -> tuple[Array, Array, Array, Array]:
     """Strip and quadrant with the jump spread over so many cells, and those of the surface."""
-    s = RHO - STEP * np.arange(2 * CELLS)
-    t = np.arange(RHO, REACH, STEP)
+    s: Array = RHO - STEP * np.arange(2 * CELLS, dtype=np.float64)
+    t: Array = np.arange(RHO, REACH, STEP, dtype=np.float64)
     along = amsler(np.abs(s) * RHO)
     share = blend(s, width * STEP)
     start = share * along + (1 - share) * (np.pi - along)
