@@ -1,6 +1,6 @@
 """Claims of the abstract."""
 
-from checks.claim import Check, Claim, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _V = "checks.verify.abstract:"
 _INTRO = "checks.verify.introduction:"
@@ -100,6 +100,16 @@ _CLAIMS: tuple[Claim, ...] = (
         rests_on=("ebs",),
         checks=(
             Check(
+                name="runs grow by less",
+                run="checks.verify.greedy_growth:sub_exponential",
+                form="support",
+                routes=("energies in the limit of edge length 0", "interval of the best power"),
+                mutants=(
+                    Mutant(name="power 3/4", given={"rival": "3/4"}, near=True),
+                    Mutant(name="power 1/2", given={"rival": "1/2"}),
+                ),
+            ),
+            Check(
                 name="one monkey saddle",
                 run=_V + "one_branched_surface",
                 form="support",
@@ -110,7 +120,14 @@ _CLAIMS: tuple[Claim, ...] = (
                 mutants=(Mutant(name="within the radius 1", given={"radius": 1}),),
             ),
         ),
-        waits_for=("5",),
+        citation=Citation(
+            source="conjecture of the paper",
+            reason=(
+                "the least over all branched immersions; measured is that the surfaces of the "
+                "greedy "
+                "algorithm grow by less than exp(c R) up to R = 16"
+            ),
+        ),
     ),
     Claim(
         id="abstract.root-is-sub-exponential",
@@ -178,7 +195,33 @@ _CLAIMS: tuple[Claim, ...] = (
             "e2",
             "abstract.root-is-sub-exponential",
         ),
-        waits_for=("5",),
+        citation=Citation(
+            source="conjecture of the paper, after Gemmer and Venkataramani, Physica D 240 (2011)",
+            reason=(
+                "the bound from below speaks of all smooth immersions, see (e2): proved is "
+                "only that "
+                r"it is at least $R^2/\pi - 1$"
+            ),
+        ),
+        checks=(
+            Check(
+                name="from above, by the bobbins",
+                run="checks.verify.energy_scaling:bobbin_scaling",
+                form="support",
+                routes=("printed R", "theory.bobbin:largest_on_disk"),
+                mutants=(
+                    Mutant(name="root of R", given={"power": "1/2"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="from below, by a square",
+                run="checks.verify.energy_scaling:rectangle_bound",
+                form="support",
+                routes=("alternating sum over a square", "distance along asymptotic lines"),
+                mutants=(Mutant(name="square 2 % larger", given={"half": "51/100"}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="abstract.preferred",
@@ -190,16 +233,38 @@ _CLAIMS: tuple[Claim, ...] = (
             "branch points, spread over the disk."
         ),
         hypotheses=(
+            "(used, not stated) (e2) and (ebs), which are conjectures",
             (
                 "(used, not stated) the energy is the maximal curvature: the Willmore energy "
                 "grows like $e^R$ at least, branched or not, see 1.energy-scaling"
             ),
         ),
         rests_on=(
+            "5.1.branch-free-region",
             "ebs",
             "e2",
         ),
-        waits_for=("5",),
+        checks=(
+            Check(
+                name="less energy",
+                run="checks.verify.energy_scaling:separation",
+                routes=("printed exponents", "limit for any two constants"),
+                mutants=(
+                    Mutant(name="equal powers", given={"power": "1"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="spread over the disk",
+                run="checks.verify.branch_count:free_region",
+                part="spread",
+                routes=("(e2) on the part, from below", "(ebs) on the whole, from above"),
+                mutants=(
+                    Mutant(name="size R^(2/5)", given={"power": "2/5"}, near=True),
+                    Mutant(name="(e2) with sqrt R", given={"patch": "1/2"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="abstract.fractal",
@@ -214,9 +279,62 @@ _CLAIMS: tuple[Claim, ...] = (
             "alg:greedy-cuts",
             "fig:branch-tree",
         ),
-        waits_for=(
-            "4.1",
-            "5.1",
+        checks=(
+            Check(
+                name="on the surface",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                routes=("distances on the hyperboloid", "order of the generations"),
+                mutants=(
+                    Mutant(name="from the first generation on", given={"first": 1}, near=True),
+                    Mutant(name="to nine tenths", given={"most": "9/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="in the Poincare disk",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                form="corrected",
+                given={"metric": "disk"},
+                routes=("distances in the disk", "order of the generations"),
+                mutants=(
+                    Mutant(
+                        name="from the first generation on",
+                        given={"metric": "disk", "first": 1},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="to nine tenths", given={"metric": "disk", "most": "9/10"}, near=True
+                    ),
+                    Mutant(name="on the surface", given={"metric": "surface"}),
+                ),
+            ),
+            Check(
+                name="three daughters each",
+                run="checks.verify.branch_point_scales:recursion",
+                form="support",
+                routes=("branch points of runs", "powers of three"),
+                mutants=(
+                    Mutant(name="two", given={"daughters": 2}, near=True),
+                    Mutant(name="five generations", given={"until": 5}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="the pattern repeats itself on smaller and smaller scales",
+            corrected=(
+                "so in the Poincare disk, where circles about the centre have one size; on the "
+                "surface itself sister branch points are farther apart in the third generation of "
+                "parents than in the second, and later about as far"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$R = 10$, $\\phi_0 = \\pi/4$, $\\phi^* = 4\\pi/5$: median distances of sisters on "
+                "the surface 0.81, 1.22, 1.73, 1.92, 1.97 for parents of generations 2 to 6; in "
+                "the disk each is less than the last, by a factor of 0.26 to 0.50 at first"
+            ),
+            conclusion_survives=True,
+            remark="Measured on runs of the greedy algorithm; that they are optimal is not known.",
         ),
     ),
 )

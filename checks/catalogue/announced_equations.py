@@ -1,6 +1,6 @@
 """Claims of the introduction: equations, nets and energies announced there."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _V = "checks.verify.introduction:"
 
@@ -216,8 +216,24 @@ CLAIMS: tuple[Claim, ...] = (
             "(alg:greedy-cuts) distributes branch points greedily so as to lower the "
             "elastic energy."
         ),
+        hypotheses=(
+            (
+                "(used, not stated) the disk is so large that the initial star reaches its "
+                "singular "
+                r"edge: on a smaller one a cut can raise the energy, for $R = 5/2$, $m = 6$, "
+                r"$\phi^* = "
+                r"\pi/2$ from $3.73$ to $6.49$"
+            ),
+        ),
         rests_on=("alg:greedy-cuts",),
-        waits_for=("4.1",),
+        checks=(
+            Check(
+                name="stars without cuts",
+                run="checks.verify.energy_figure:cuts_help",
+                routes=("finest stored nets", "theory.periodic_amsler (balls)"),
+                mutants=(Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="1.min-max",
@@ -274,6 +290,16 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         checks=(
             Check(
+                name="runs grow by less",
+                run="checks.verify.greedy_growth:sub_exponential",
+                form="support",
+                routes=("energies in the limit of edge length 0", "interval of the best power"),
+                mutants=(
+                    Mutant(name="power 3/4", given={"rival": "3/4"}, near=True),
+                    Mutant(name="power 1/2", given={"rival": "1/2"}),
+                ),
+            ),
+            Check(
                 name="the bending energy grows exponentially",
                 run=_V + "bending_growth",
                 form="support",
@@ -288,7 +314,10 @@ CLAIMS: tuple[Claim, ...] = (
                 ),
             ),
         ),
-        waits_for=("5",),
+        citation=Citation(
+            source="conjecture of the paper",
+            reason="(e2) and (ebs) in one line, both conjectured: infima over all immersions",
+        ),
     ),
     Claim(
         id="1.number-of-wrinkles",
@@ -298,10 +327,58 @@ CLAIMS: tuple[Claim, ...] = (
         statement=(
             "The estimates of section 5 say how many wrinkles a nearly optimal immersion has."
         ),
+        hypotheses=(
+            (
+                "(used, not stated) wrinkles are counted by branch points, on the surfaces of the "
+                "greedy algorithm"
+            ),
+        ),
         rests_on=(
             "5.1.cut-depth",
             "5.1.number-of-branch-points",
         ),
-        waits_for=("5.1",),
+        checks=(
+            Check(
+                name="numbers of the runs",
+                run="checks.verify.greedy_growth:number_law",
+                routes=("branch points of stored runs", "printed law"),
+                mutants=(
+                    Mutant(name="R^(2/5) for the root", given={"power": "2/5"}, near=True),
+                    Mutant(name="twice the root", given={"factor": "2"}),
+                ),
+            ),
+            Check(
+                name="exp R",
+                run="checks.verify.greedy_growth:number_law",
+                form="corrected",
+                given={"factor": "0"},
+                routes=("branch points of stored runs", "law without the root"),
+                mutants=(
+                    Mutant(name="exp(11/10 R)", given={"factor": "0", "rate": "11/10"}, near=True),
+                    Mutant(name="exp(19/20 R)", given={"factor": "0", "rate": "19/20"}, near=True),
+                    Mutant(name="a quarter of the root", given={"factor": "1/4"}, near=True),
+                    Mutant(name="as printed", given={"factor": "1"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\exp(R - \sqrt{R})$ branch points",
+            corrected=(
+                r"about $0.8\,e^R$ on the surfaces of the greedy algorithm; $\exp(R - \sqrt{R})$, "
+                "up to constants, is what the estimate enforces from below"
+            ),
+            kind="false",
+            witness=(
+                r"$\phi_0 = \pi/2$, $\phi^* = 3\pi/4$: $2584$ branch points for $R = 8$, $368660$ "
+                r"for $R = 13$; $e^{R - \sqrt{R}}$ is $176$ and $12025$, the quotient grows from "
+                "$14.7$ to $30.7$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"One branch point for each area of about $\pi$, as (rmk:distributed) asks, is "
+                r"$e^R$ too. The cut depth stays linear to leading order. Measured for $8 \leq R "
+                r"\leq 13$."
+            ),
+        ),
     ),
 )

@@ -83,9 +83,30 @@ _CONSEQUENCES = (
         kind="sentence",
         statement=r"The infimum of $\mathcal{E}_\infty$ over $C^{1,1}$ branched isometries can be "
         r"strictly smaller than that over $C^2$ isometries.",
-        hypotheses=(r"(used, not stated) of the same disk $B_R$, for suitable $R$",),
-        rests_on=("thm:branched", "fig:energywithradius"),
-        waits_for=("5",),
+        hypotheses=(
+            r"(used, not stated) of the same disk $B_R$, for suitable $R$",
+            (
+                r"(used, not stated) $C^2$ isometries of a disk have asymptotic coordinates, with "
+                r"(eq:hazzidakis) on rectangles"
+            ),
+        ),
+        rests_on=("thm:branched", "5.periodic-amsler-one-branch-point", "eq:hazzidakis"),
+        checks=(
+            Check(
+                name="one branch point against all smooth isometries",
+                run="checks.verify.energy_gap:energy_gap",
+                routes=(
+                    "theory.periodic_amsler (balls)",
+                    "alternating sum of phi over an inscribed square (theory.inscribed_square)",
+                ),
+                mutants=(
+                    Mutant(name="lower by 1 %", given={"share": "99/100"}, near=True),
+                    Mutant(name="square 1 % larger", given={"stretch": "101/100"}, near=True),
+                    Mutant(name="four sectors", given={"sectors": 4}),
+                    Mutant(name="ten sectors", given={"sectors": 10}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.3.branch-set-condition",
@@ -251,7 +272,35 @@ _CONSEQUENCES = (
         "restricted to isometries, is an instance of the Lavrentiev phenomenon.",
         hypotheses=("(used, not stated) the gap exists, for both functionals",),
         rests_on=("3.3.energy-gap",),
-        waits_for=("5",),
+        citation=Citation(
+            source=(
+                "Lavrentieff, Ann. Mat. Pura Appl. 4 (1927) 7-28; Ball and Mizel, Arch. "
+                "Ration. Mech. "
+                "Anal. 90 (1985) 325-388; Cesari, Optimization (1983), section 18.5"
+            ),
+            reason=(
+                "a name given to the gap: for the maximal curvature the gap is proved on some "
+                "disks, "
+                "for the Willmore functional over all smooth isometries none is known"
+            ),
+        ),
+        checks=(
+            Check(
+                name="one branch point against all smooth isometries",
+                run="checks.verify.energy_gap:energy_gap",
+                form="support",
+                routes=(
+                    "theory.periodic_amsler (balls)",
+                    "alternating sum of phi over an inscribed square (theory.inscribed_square)",
+                ),
+                mutants=(
+                    Mutant(name="lower by 1 %", given={"share": "99/100"}, near=True),
+                    Mutant(name="square 1 % larger", given={"stretch": "101/100"}, near=True),
+                    Mutant(name="four sectors", given={"sectors": 4}),
+                    Mutant(name="ten sectors", given={"sectors": 10}),
+                ),
+            ),
+        ),
     ),
 )
 

@@ -320,6 +320,30 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=("5.1.area-free-of-branch-points", "5.1.area-of-disk"),
         checks=(
             Check(
+                name="numbers of the runs",
+                run="checks.verify.greedy_growth:number_law",
+                part="runs",
+                routes=("branch points of stored runs", "printed law"),
+                mutants=(
+                    Mutant(name="R^(2/5) for the root", given={"power": "2/5"}, near=True),
+                    Mutant(name="twice the root", given={"factor": "2"}),
+                ),
+            ),
+            Check(
+                name="exp R",
+                run="checks.verify.greedy_growth:number_law",
+                form="corrected",
+                given={"factor": "0"},
+                part="runs",
+                routes=("branch points of stored runs", "law without the root"),
+                mutants=(
+                    Mutant(name="exp(11/10 R)", given={"factor": "0", "rate": "11/10"}, near=True),
+                    Mutant(name="exp(19/20 R)", given={"factor": "0", "rate": "19/20"}, near=True),
+                    Mutant(name="a quarter of the root", given={"factor": "1/4"}, near=True),
+                    Mutant(name="as printed", given={"factor": "1"}),
+                ),
+            ),
+            Check(
                 name="quotient of areas",
                 run=_COUNT + "number",
                 tier="full",
@@ -336,6 +360,25 @@ CLAIMS: tuple[Claim, ...] = (
                 form="support",
                 routes=("exp(R - 2 sqrt R)", "cover of the disk of radius R - sqrt R"),
                 mutants=(Mutant(name="exp(R - sqrt R)", given={"factor": "1"}),),
+            ),
+        ),
+        erratum=Erratum(
+            printed=r"$\exp(R - \sqrt{R})$ branch points",
+            corrected=(
+                r"about $0.8\,e^R$ on the surfaces of the greedy algorithm; $\exp(R - \sqrt{R})$, "
+                "up to constants, is what the estimate enforces from below"
+            ),
+            kind="false",
+            witness=(
+                r"$\phi_0 = \pi/2$, $\phi^* = 3\pi/4$: $2584$ branch points for $R = 8$, $368660$ "
+                r"for $R = 13$; $e^{R - \sqrt{R}}$ is $176$ and $12025$, the quotient grows from "
+                "$14.7$ to $30.7$"
+            ),
+            conclusion_survives=True,
+            remark=(
+                r"One branch point for each area of about $\pi$, as (rmk:distributed) asks, is "
+                r"$e^R$ too. The cut depth stays linear to leading order. Measured for $8 \leq R "
+                r"\leq 13$."
             ),
         ),
     ),
@@ -418,7 +461,36 @@ CLAIMS: tuple[Claim, ...] = (
             r"The cut depth measured against $R$ follows $R - \sqrt{R}$, with a slowly "
             "increasing slope."
         ),
-        hypotheses=(r"$R \leq 10$", "(used, not stated) up to a factor"),
+        hypotheses=(r"$R \leq 10$", "(used, not stated) up to a factor and an additive constant"),
         rests_on=("5.1.cut-depth", "fig:cutdepthwithradius"),
+        checks=(
+            Check(
+                name="R - sqrt R, within rounding",
+                run="checks.verify.cut_depth:root_law",
+                tier="full",
+                part="law",
+                routes=(
+                    "radii of the generations by bisection on nets",
+                    "depth in the limit of edge length 0",
+                ),
+                mutants=(
+                    Mutant(name="a line", given={"less": "0"}, near=True),
+                    Mutant(name="half of the root", given={"less": "1/2"}, near=True),
+                    Mutant(name="R^(9/10)", given={"power": "9/10"}, near=True),
+                    Mutant(name="three times the root", given={"less": "3"}),
+                ),
+            ),
+            Check(
+                name="slope",
+                run="checks.verify.cut_depth:slope_grows",
+                tier="full",
+                part="slope",
+                routes=("radii of the generations by bisection on nets", "term in R^2 of a fit"),
+                mutants=(
+                    Mutant(name="decreasing", given={"sense": -1}),
+                    Mutant(name="term in R^2 less 0.05", given={"bend": "1/20"}, near=True),
+                ),
+            ),
+        ),
     ),
 )

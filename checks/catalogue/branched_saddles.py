@@ -16,12 +16,54 @@ CLAIMS: tuple[Claim, ...] = (
             "Of two surfaces with the same metric, one that buckles on many scales can cost less "
             "bending energy than a smooth saddle."
         ),
-        hypotheses=("(used, not stated) the disk is large",),
+        hypotheses=(
+            "(used, not stated) the disk is large",
+            "(used, not stated) the smooth saddle is a bobbin, the disk centred on its throat",
+        ),
         rests_on=(
             "ebs",
             "e2",
         ),
-        waits_for=("5",),
+        checks=(
+            Check(
+                name="bending energy",
+                run="checks.verify.energy_figure:frilly_bends_less",
+                part="bending",
+                routes=("finest stored nets", "least integral over bobbins"),
+                mutants=(
+                    Mutant(name="from R = 2 on", given={"lowest": "2"}, near=True),
+                    Mutant(name="runs half as much again", given={"factor": "3/2"}),
+                ),
+            ),
+            Check(
+                name="largest curvature",
+                run="checks.verify.energy_figure:below",
+                part="largest curvature",
+                routes=(
+                    "finest stored nets and the limit of edge length 0",
+                    "theory.bobbin_values (balls)",
+                ),
+                mutants=(
+                    Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),
+                    Mutant(name="runs a quarter more", given={"factor": "5/4"}),
+                ),
+            ),
+            Check(
+                name="one branch point against all smooth isometries",
+                run="checks.verify.energy_gap:energy_gap",
+                form="support",
+                routes=(
+                    "theory.periodic_amsler (balls)",
+                    "alternating sum of phi over an inscribed square (theory.inscribed_square)",
+                ),
+                mutants=(
+                    Mutant(name="lower by 1 %", given={"share": "99/100"}, near=True),
+                    Mutant(name="square 1 % larger", given={"stretch": "101/100"}, near=True),
+                    Mutant(name="four sectors", given={"sectors": 4}),
+                    Mutant(name="ten sectors", given={"sectors": 10}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="3.c2-saddle",
@@ -113,10 +155,37 @@ CLAIMS: tuple[Claim, ...] = (
             "ebs",
             "e2",
             "lem:surgery",
+            "3.3.branched-not-approximable",
         ),
-        waits_for=(
-            "3.4",
-            "5",
+        checks=(
+            Check(
+                name="stars without cuts",
+                run="checks.verify.energy_figure:cuts_help",
+                part="energy",
+                routes=("finest stored nets", "theory.periodic_amsler (balls)"),
+                mutants=(Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),),
+            ),
+            Check(
+                name="three daughters each",
+                run="checks.verify.branch_point_scales:recursion",
+                part="undulations",
+                routes=("branch points of runs", "powers of three"),
+                mutants=(
+                    Mutant(name="two", given={"daughters": 2}, near=True),
+                    Mutant(name="five generations", given={"until": 5}, near=True),
+                ),
+            ),
+            Check(
+                name="index of a limit of smooth saddles",
+                run="checks.verify.approximability:all_orders",
+                part="smooth",
+                tier="full",
+                routes=(
+                    "quadratic saddle over a star (theory.star_saddle)",
+                    "index -1 required by (thm:branched)",
+                ),
+                mutants=(Mutant(name="with order 2", given={"orders": "2,3"}),),
+            ),
         ),
     ),
     Claim(

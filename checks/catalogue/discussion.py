@@ -1,6 +1,6 @@
 """Claims of section 6, the discussion."""
 
-from checks.claim import Check, Citation, Claim, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 CLAIMS: tuple[Claim, ...] = (
     Claim(
@@ -239,7 +239,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("(used, not stated) against the bobbins, the best $C^2$ immersions known",),
         rests_on=("alg:greedy-cuts", "fig:energywithradius"),
-        waits_for=("5",),
+        checks=(
+            Check(
+                name="below the bobbins",
+                run="checks.verify.energy_figure:below",
+                routes=(
+                    "finest stored nets and the limit of edge length 0",
+                    "theory.bobbin_values (balls)",
+                ),
+                mutants=(
+                    Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),
+                    Mutant(name="runs a quarter more", given={"factor": "5/4"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="item:motivation",
@@ -253,7 +266,93 @@ CLAIMS: tuple[Claim, ...] = (
         labels=("item:motivation",),
         hypotheses=(r"$R \leq 10$",),
         rests_on=("fig:energywithradius", "fig:numerical_crochet"),
-        waits_for=("5", "5.1"),
+        checks=(
+            Check(
+                name="gap to the bobbins",
+                run="checks.verify.energy_figure:below",
+                part="gap",
+                routes=(
+                    "finest stored nets and the limit of edge length 0",
+                    "theory.bobbin_values (balls)",
+                ),
+                mutants=(
+                    Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),
+                    Mutant(name="runs a quarter more", given={"factor": "5/4"}),
+                ),
+            ),
+            Check(
+                name="one branch point against all smooth isometries",
+                run="checks.verify.energy_gap:energy_gap",
+                form="support",
+                routes=(
+                    "theory.periodic_amsler (balls)",
+                    "alternating sum of phi over an inscribed square (theory.inscribed_square)",
+                ),
+                mutants=(
+                    Mutant(name="lower by 1 %", given={"share": "99/100"}, near=True),
+                    Mutant(name="square 1 % larger", given={"stretch": "101/100"}, near=True),
+                    Mutant(name="four sectors", given={"sectors": 4}),
+                    Mutant(name="ten sectors", given={"sectors": 10}),
+                ),
+            ),
+            Check(
+                name="three daughters each",
+                run="checks.verify.branch_point_scales:recursion",
+                part="recursive",
+                routes=("branch points of runs", "powers of three"),
+                mutants=(
+                    Mutant(name="two", given={"daughters": 2}, near=True),
+                    Mutant(name="five generations", given={"until": 5}, near=True),
+                ),
+            ),
+            Check(
+                name="on the surface",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                part="self-similar",
+                routes=("distances on the hyperboloid", "order of the generations"),
+                mutants=(
+                    Mutant(name="from the first generation on", given={"first": 1}, near=True),
+                    Mutant(name="to nine tenths", given={"most": "9/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="in the Poincare disk",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                form="corrected",
+                given={"metric": "disk"},
+                part="self-similar",
+                routes=("distances in the disk", "order of the generations"),
+                mutants=(
+                    Mutant(
+                        name="from the first generation on",
+                        given={"metric": "disk", "first": 1},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="to nine tenths", given={"metric": "disk", "most": "9/10"}, near=True
+                    ),
+                    Mutant(name="on the surface", given={"metric": "surface"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="the pattern repeats itself on smaller and smaller scales",
+            corrected=(
+                "so in the Poincare disk, where circles about the centre have one size; on the "
+                "surface itself sister branch points are farther apart in the third generation of "
+                "parents than in the second, and later about as far"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$R = 10$, $\\phi_0 = \\pi/4$, $\\phi^* = 4\\pi/5$: median distances of sisters on "
+                "the surface 0.81, 1.22, 1.73, 1.92, 1.97 for parents of generations 2 to 6; in "
+                "the disk each is less than the last, by a factor of 0.26 to 0.50 at first"
+            ),
+            conclusion_survives=True,
+            remark="Measured on runs of the greedy algorithm; that they are optimal is not known.",
+        ),
     ),
     Claim(
         id="6.bounded-subsets-embed",
@@ -272,6 +371,44 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("3.bounded-embeds",),
+        checks=(
+            Check(
+                name="printed",
+                run="checks.verify.finite_pieces:finite_piece",
+                routes=(
+                    "first form of Dini's surfaces",
+                    "closed surface of genus 2 from a regular octagon",
+                ),
+                mutants=(Mutant(name="strip too narrow", given={"slack": -1}),),
+            ),
+            Check(
+                name="disks of curvature -1",
+                run="checks.verify.finite_pieces:finite_piece",
+                tier="full",
+                form="corrected",
+                given={"closed": False},
+                routes=("first form of Dini's surfaces", "strips of H^2 along a geodesic"),
+                mutants=(
+                    Mutant(name="closed surfaces too", given={"closed": True}),
+                    Mutant(name="strip narrower than the disk", given={"slack": -1}),
+                    Mutant(name="surface of revolution", given={"pitch": 0}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="every bounded part of a smooth hyperbolic surface is embedded",
+            corrected=(
+                "simply connected bounded parts are: embedded if $K = -1$, immersed by the theorem "
+                "of Hong for variable curvature"
+            ),
+            kind="ambiguous",
+            witness=(
+                "the closed surface of genus $2$ and curvature $-1$ is bounded; in three-space it "
+                "would have $K > 0$ where it is farthest from the origin"
+            ),
+            conclusion_survives=True,
+            remark="As in (3.bounded-embeds).",
+        ),
     ),
     Claim(
         id="6.global-competition",
@@ -284,6 +421,28 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("as in the example of Minding's bobbin",),
         rests_on=("ex:bobbin", "eq:c2energy"),
+        checks=(
+            Check(
+                name="crossing",
+                run="checks.verify.bobbin_disk:balance",
+                part="competition",
+                routes=("balance of the two curvatures", "theory.bobbin:largest_on_disk"),
+                mutants=(
+                    Mutant(name="exp R", given={"function": "exp"}),
+                    Mutant(name="kappa 1% more", given={"factor": "101/100"}, near=True),
+                ),
+            ),
+            Check(
+                name="no stretching",
+                run="checks.verify.bobbin_metric:profile",
+                part="isometry",
+                routes=("printed radius", "theory.surface_of_revolution:gauss_curvature"),
+                mutants=(
+                    Mutant(name="cosh 2s", given={"rate": 2}),
+                    Mutant(name="speed squared 2", given={"total": 2}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="eq:conjecture",
@@ -305,7 +464,29 @@ CLAIMS: tuple[Claim, ...] = (
             ),
         ),
         rests_on=("e2", "ebs", "5.scaling-symbol"),
-        waits_for=("5", "5.1"),
+        citation=Citation(
+            source="conjecture of the paper",
+            reason="(e2) and (ebs): infima over all immersions of a disk",
+        ),
+        checks=(
+            Check(
+                name="runs grow by less",
+                run="checks.verify.greedy_growth:sub_exponential",
+                form="support",
+                routes=("energies in the limit of edge length 0", "interval of the best power"),
+                mutants=(
+                    Mutant(name="power 3/4", given={"rival": "3/4"}, near=True),
+                    Mutant(name="power 1/2", given={"rival": "1/2"}),
+                ),
+            ),
+            Check(
+                name="smooth immersions from below",
+                run="checks.verify.energy_scaling:rectangle_bound",
+                form="support",
+                routes=("alternating sum over a square", "distance along asymptotic lines"),
+                mutants=(Mutant(name="square 2 % larger", given={"half": "51/100"}, near=True),),
+            ),
+        ),
     ),
     Claim(
         id="6.evidence",
@@ -318,7 +499,29 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"$R \leq 10$",),
         rests_on=("eq:conjecture", "fig:energywithradius"),
-        waits_for=("5",),
+        checks=(
+            Check(
+                name="smooth line",
+                run="checks.verify.energy_scaling:bobbin_scaling",
+                part="smooth",
+                routes=("printed R", "theory.bobbin:largest_on_disk"),
+                mutants=(
+                    Mutant(name="root of R", given={"power": "1/2"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="branched line",
+                run="checks.verify.greedy_growth:energy_law",
+                tier="full",
+                part="branched",
+                routes=("energies in the limit", "AIC of the laws"),
+                mutants=(
+                    Mutant(name="R^(2/5)", given={"power": "2/5"}, near=True),
+                    Mutant(name="R^(1/10)", given={"power": "1/10"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.branched-preferred",
@@ -331,6 +534,17 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=("(eq:conjecture)",),
         rests_on=("eq:conjecture",),
+        checks=(
+            Check(
+                name="quotient of the two scalings",
+                run="checks.verify.energy_scaling:separation",
+                routes=("printed exponents", "limit for any two constants"),
+                mutants=(
+                    Mutant(name="equal powers", given={"power": "1"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="6.lavrentiev",
@@ -347,5 +561,16 @@ CLAIMS: tuple[Claim, ...] = (
             "(used, not stated) each class contains the smoother one",
         ),
         rests_on=("eq:conjecture",),
+        checks=(
+            Check(
+                name="quotient of the two scalings",
+                run="checks.verify.energy_scaling:separation",
+                routes=("printed exponents", "limit for any two constants"),
+                mutants=(
+                    Mutant(name="equal powers", given={"power": "1"}),
+                    Mutant(name="R^(11/10)", given={"power": "11/10"}, near=True),
+                ),
+            ),
+        ),
     ),
 )

@@ -51,6 +51,20 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         hypotheses=(r"(used, not stated) $m$, $\phi^*$ and $\Delta$ are not given",),
         rests_on=("alg:greedy-cuts", "4.1.periodic-amsler", "5.principal-curvatures"),
+        checks=(
+            Check(
+                name="both columns",
+                run="checks.verify.comparison_nets:figure",
+                tier="full",
+                routes=("angles of the K-surface in space", "sweep of the greedy algorithm"),
+                mutants=(
+                    Mutant(name="colours 3 % more", given={"percent": 103}, near=True),
+                    Mutant(name="smaller curvature", given={"smaller": True}),
+                    Mutant(name="four sectors about the one branch point", given={"sectors": "4"}),
+                    Mutant(name="eight initial sectors on the left", given={"distributed": "8"}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.energy-comparison",
@@ -65,6 +79,19 @@ CLAIMS: tuple[Claim, ...] = (
             r"(used, not stated) $m$ and $\phi^*$ of the runs compared, which are not given",
         ),
         rests_on=("fig:branchedpoincareimmersions",),
+        checks=(
+            Check(
+                name="growth from R = 2 to 4",
+                run="checks.verify.comparison_nets:slower_growth",
+                tier="full",
+                routes=("nets with distributed branch points", "nets with the best single one"),
+                mutants=(
+                    Mutant(name="36 sectors for every R", given={"sectors": "36"}),
+                    Mutant(name="three fifths of the growth", given={"share": "3/5"}),
+                    Mutant(name="two thirds of the growth", given={"share": "2/3"}, near=True),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="4.1.dual-saddle-order",

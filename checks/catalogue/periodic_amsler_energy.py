@@ -88,6 +88,20 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=("5.half-radius-disk", "rem:approximable"),
         checks=(
             Check(
+                name="jumps across edges smoothed",
+                run="checks.verify.smoothed_edges:smoothing",
+                tier="full",
+                routes=(
+                    "Goursat problems with the jumps spread over w",
+                    "phi(2 sqrt(u v)) (theory.painleve_float)",
+                ),
+                mutants=(
+                    Mutant(name="L^2 order 1", given={"power": 2}, near=True),
+                    Mutant(name="order 2 off the edges", given={"order": 2}, near=True),
+                    Mutant(name="E_inf 1 % less in the limit", given={"percent": 99}, near=True),
+                ),
+            ),
+            Check(
                 name="the disk straddles edges",
                 run=_POINT + "straddles",
                 form="support",
@@ -95,7 +109,6 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(Mutant(name="centre farther out", given={"distance": "3/2"}),),
             ),
         ),
-        waits_for=("3.3",),
     ),
     Claim(
         id="5.periodic-amsler-scaling",

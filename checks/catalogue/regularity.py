@@ -186,11 +186,29 @@ CLAIMS: tuple[Claim, ...] = (
             "The elastic energy of some $C^{1,1}$ isometries with branch points is far below "
             "that of all $C^2$ ones."
         ),
-        rests_on=(
-            "ebs",
-            "e2",
+        hypotheses=(
+            (
+                r"(read so) the energy is $\mathcal{E}_\infty$, far: by more than a tenth, on one "
+                "disk, of radius $8/5$; that the quotient grows without bound is "
+                "(5.energy-separation)"
+            ),
         ),
-        waits_for=("5",),
+        rests_on=("3.3.energy-gap",),
+        checks=(
+            Check(
+                name="a tenth below all smooth isometries",
+                run="checks.verify.energy_gap:substantially_below",
+                routes=(
+                    "theory.periodic_amsler (balls)",
+                    "alternating sum of phi over an inscribed square (theory.inscribed_square)",
+                ),
+                mutants=(
+                    Mutant(name="0.86 of it", given={"share": "43/50"}, near=True),
+                    Mutant(name="R = 3/2", given={"radius": "3/2"}, near=True),
+                    Mutant(name="eight sectors", given={"sectors": 8}),
+                ),
+            ),
+        ),
     ),
     Claim(
         id="1.local-balance",
@@ -227,10 +245,62 @@ CLAIMS: tuple[Claim, ...] = (
             "rmk:distributed",
             "alg:greedy-cuts",
         ),
-        waits_for=(
-            "3.5",
-            "4.1",
-            "5.1",
+        checks=(
+            Check(
+                name="on the surface",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                routes=("distances on the hyperboloid", "order of the generations"),
+                mutants=(
+                    Mutant(name="from the first generation on", given={"first": 1}, near=True),
+                    Mutant(name="to nine tenths", given={"most": "9/10"}, near=True),
+                ),
+            ),
+            Check(
+                name="in the Poincare disk",
+                run="checks.verify.branch_point_scales:smaller_scales",
+                tier="full",
+                form="corrected",
+                given={"metric": "disk"},
+                routes=("distances in the disk", "order of the generations"),
+                mutants=(
+                    Mutant(
+                        name="from the first generation on",
+                        given={"metric": "disk", "first": 1},
+                        near=True,
+                    ),
+                    Mutant(
+                        name="to nine tenths", given={"metric": "disk", "most": "9/10"}, near=True
+                    ),
+                    Mutant(name="on the surface", given={"metric": "surface"}),
+                ),
+            ),
+            Check(
+                name="three daughters each",
+                run="checks.verify.branch_point_scales:recursion",
+                form="support",
+                routes=("branch points of runs", "powers of three"),
+                mutants=(
+                    Mutant(name="two", given={"daughters": 2}, near=True),
+                    Mutant(name="five generations", given={"until": 5}, near=True),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="the pattern repeats itself on smaller and smaller scales",
+            corrected=(
+                "so in the Poincare disk, where circles about the centre have one size; on the "
+                "surface itself sister branch points are farther apart in the third generation of "
+                "parents than in the second, and later about as far"
+            ),
+            kind="ambiguous",
+            witness=(
+                "$R = 10$, $\\phi_0 = \\pi/4$, $\\phi^* = 4\\pi/5$: median distances of sisters on "
+                "the surface 0.81, 1.22, 1.73, 1.92, 1.97 for parents of generations 2 to 6; in "
+                "the disk each is less than the last, by a factor of 0.26 to 0.50 at first"
+            ),
+            conclusion_survives=True,
+            remark="Measured on runs of the greedy algorithm; that they are optimal is not known.",
         ),
     ),
 )
