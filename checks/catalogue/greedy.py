@@ -291,7 +291,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="nodes in the disk",
-                run="checks.verify.printed_start:lost_nodes",
+                run="checks.verify.printed_nodes:lost_nodes",
                 routes=("the algorithm in the disk", "nodes reached before a fold"),
                 mutants=(
                     Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
@@ -300,7 +300,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="points of the disk",
-                run="checks.verify.printed_start:rim_quads",
+                run="checks.verify.printed_nodes:rim_quads",
                 form="support",
                 given={"short": "1"},
                 routes=("the algorithm in the disk", "random points"),
@@ -321,7 +321,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="pieces and Euler characteristic",
-                run="checks.verify.printed_start:staircase",
+                run="checks.verify.printed_nodes:staircase",
                 routes=("the algorithm in the disk", "V - E + F of the kept quads"),
                 mutants=(
                     Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
@@ -343,7 +343,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="law of cosines",
-                run="checks.verify.printed_start:angles_at_nodes",
+                run="checks.verify.printed_nodes:angles_at_nodes",
                 routes=("(eq:angle)", "three distances"),
                 mutants=(
                     Mutant(name="without the conjugate", given={"conjugated": False}),
@@ -389,7 +389,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="stars",
-                run="checks.verify.printed_result:surface",
+                run="checks.verify.printed_surface:surface",
                 routes=("K-surface of discrete.greedy_net", "lengths and angles in the disk"),
                 mutants=(
                     Mutant(
@@ -426,7 +426,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="rhombi in space",
-                run="checks.verify.printed_result:surface",
+                run="checks.verify.printed_surface:surface",
                 routes=("K-surface of discrete.greedy_net", "lengths and angles in the disk"),
                 mutants=(
                     Mutant(

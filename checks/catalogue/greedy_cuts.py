@@ -145,7 +145,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="principal arguments",
-                run="checks.verify.printed_cuts:middle_axes",
+                run="checks.verify.printed_daughters:middle_axes",
                 routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
                 mutants=(
                     Mutant(
@@ -157,7 +157,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="arguments from w_1 on",
-                run="checks.verify.printed_cuts:middle_axes",
+                run="checks.verify.printed_daughters:middle_axes",
                 form="corrected",
                 given={"variant": "meant"},
                 routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
@@ -210,7 +210,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="nodes of both lines",
-                run="checks.verify.printed_cuts:side_axes",
+                run="checks.verify.printed_daughters:side_axes",
                 routes=(
                     "the algorithm in the disk",
                     "nodes of the parent and of the middle sector",
@@ -249,7 +249,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="sides of the rhombi",
-                run="checks.verify.printed_cuts:rhombi",
+                run="checks.verify.printed_daughters:rhombi",
                 routes=("(poincare-ddg)", "distances"),
                 mutants=(
                     Mutant(name="minus", given={"sign": -1}),
@@ -273,7 +273,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="nodes in the disk",
-                run="checks.verify.printed_start:lost_nodes",
+                run="checks.verify.printed_nodes:lost_nodes",
                 routes=("the algorithm in the disk", "nodes reached before a fold"),
                 mutants=(
                     Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
@@ -282,7 +282,7 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             Check(
                 name="points of the disk",
-                run="checks.verify.printed_start:rim_quads",
+                run="checks.verify.printed_nodes:rim_quads",
                 form="support",
                 given={"short": "1"},
                 routes=("the algorithm in the disk", "random points"),
@@ -303,7 +303,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="pieces and Euler characteristic",
-                run="checks.verify.printed_start:staircase",
+                run="checks.verify.printed_nodes:staircase",
                 routes=("the algorithm in the disk", "V - E + F of the kept quads"),
                 mutants=(
                     Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
@@ -332,13 +332,13 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="with its sign",
-                run="checks.verify.printed_cuts:daughter_angles",
+                run="checks.verify.printed_daughters:daughter_angles",
                 routes=("(eq:angle)", "the interval from 0 to phi*"),
                 mutants=(Mutant(name="0.96 phi*", given={"most": "24/25"}, near=True),),
             ),
             Check(
                 name="without a sign",
-                run="checks.verify.printed_cuts:daughter_angles",
+                run="checks.verify.printed_daughters:daughter_angles",
                 form="corrected",
                 given={"variant": "meant"},
                 routes=("(eq:angle)", "the interval from 0 to phi*"),

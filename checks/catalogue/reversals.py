@@ -462,7 +462,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="angle sums",
-                run="checks.verify.printed_result:angle_sums",
+                run="checks.verify.printed_surface:angle_sums",
                 routes=("angles in space", "2 pi inside and less at the rim"),
                 mutants=(
                     Mutant(name="1.01 times 2 pi", given={"turn": "101/100"}, near=True),

@@ -1,4 +1,4 @@
-"""What the printed greedy algorithm leaves: the cover, the quadgraph, the K-surface."""
+"""What the printed greedy algorithm leaves: the cover of the disk, the quadgraph."""
 
 import math
 from collections import Counter
@@ -11,10 +11,8 @@ import numpy.typing as npt
 from checks.evidence import Evidence, Setting
 from checks.printed.greedy_algorithm import PrintedRun
 from checks.printed.greedy_sector import PrintedSector, inside
-from checks.verify.greedy_samples import tree_of
+from checks.verify.printed_nodes import held_points
 from checks.verify.printed_runs import CASES, cut_sectors, found, node, place_of, run_of
-from checks.verify.printed_start import held_points
-from discrete.greedy_net import GreedyNet, greedy_net
 from discrete.point_cover import contained
 
 #: Random points of a disk.
@@ -113,7 +111,8 @@ def welded(run: PrintedRun, *, share: bool = True) -> npt.NDArray[np.int64]:
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64).reshape(-1, 4)
 
 
-def _edges(quads: npt.NDArray[np.int64]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+def edges_of(quads: npt.NDArray[np.int64]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    """Edges (E, 2) of quads, and the number of quads at each."""
     sides = np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)])
     edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
     return edges, count
@@ -131,7 +130,7 @@ def quadgraph(
     for case in CASES:
         run = run_of(case, variant)
         quads = welded(run, share=share)
-        edges, count = _edges(quads)
+        edges, count = edges_of(quads)
         nodes = np.unique(quads)
         euler = len(nodes) - len(edges) + len(quads)
         rim = np.unique(edges[count == 1])
@@ -145,95 +144,3 @@ def quadgraph(
             )
         told.append(f"{len(quads)} quads with {cuts} cuts")
     return found(failures, shown=", ".join(told), tried=len(CASES))
-
-
-def _net(case: tuple[str, int, str, str]) -> GreedyNet:
-    radius, sectors, cutoff, step = case
-    return greedy_net(tree_of(radius, step, str(sectors), cutoff))
-
-
-def _space_angles(net: GreedyNet, k: int) -> Any:
-    corners = net.points[net.quads]
-    a = corners[:, k - 1] - corners[:, k]
-    b = corners[:, (k + 1) % 4] - corners[:, k]
-    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
-
-
-def _disk_angles(net: GreedyNet, k: int) -> Any:
-    z = net.disk[net.quads]
-    a, b = (
-        (z[:, j] - z[:, k]) / (1 - z[:, j] * z[:, k].conj()) for j in ((k - 1) % 4, (k + 1) % 4)
-    )
-    return np.abs(np.angle(b * a.conj()))
-
-
-def surface(setting: Setting, *, lift: str = "0", scale: str = "1") -> Evidence:
-    """Whether the quads go to skew quads of space with planar stars, equal edges, equal angles.
-
-    lift: of one vertex, in units of the edge; scale: of the angles of the net.
-    """
-    del setting
-    failures, tried = [], 0
-    for case in CASES:
-        net = _net(case)
-        inner = len(net.points) // 2
-        net.points[inner] += float(Fraction(lift)) * float(Fraction(case[3])) * net.normals[inner]
-        edges, _ = _edges(net.quads)
-        vector = net.points[edges[:, 1]] - net.points[edges[:, 0]]
-        lengths = np.linalg.norm(vector, axis=1)
-        out = max(
-            np.abs(np.einsum("ij,ij->i", vector, net.normals[edges[:, end]])).max()
-            for end in (0, 1)
-        )
-        turn = max(
-            np.abs(_space_angles(net, k) - float(Fraction(scale)) * _disk_angles(net, k)).max()
-            for k in range(4)
-        )
-        skew = _skewness(net)
-        tried += len(net.quads)
-        gaps = {
-            "edges differ": float(lengths.max() - lengths.min()),
-            "edges leave the planes of their stars": float(out),
-            "angles in space and in the disk differ": float(turn),
-        }
-        failures += [f"M = {case[1]}: {name} by {gap:.3g}" for name, gap in gaps.items()
-                     if gap > 1e-7]  # fmt: skip
-        if skew < 1e-3:
-            failures.append(f"M = {case[1]}: a quad is planar")
-    return found(failures, shown=f"{tried} quads of {len(CASES)} nets", tried=tried)
-
-
-def _skewness(net: GreedyNet) -> float:
-    """Least volume spanned by the edges of a quad, over the cube of the edge times the edge."""
-    p = net.points[net.quads]
-    a, b, c = (p[:, k] - p[:, 0] for k in (1, 2, 3))
-    volume = np.abs(np.einsum("ij,ij->i", a, np.cross(b, c)))
-    edge = np.linalg.norm(a, axis=1)
-    area = np.linalg.norm(np.cross(a, c), axis=1)
-    return float((volume / (area * edge**2)).min())
-
-
-def angle_sums(setting: Setting, *, turn: str = "1", boundary: str = "1") -> Evidence:
-    """Whether angles in space add up to 2 pi inside and to less at the boundary.
-
-    turn, boundary: in units of 2 pi, for inner and for boundary nodes.
-    """
-    del setting
-    failures, tried = [], 0
-    for case in CASES:
-        net = _net(case)
-        total = np.zeros(len(net.points))
-        for k in range(4):
-            np.add.at(total, net.quads[:, k], _space_angles(net, k))
-        edges, count = _edges(net.quads)
-        inside_nodes = np.ones(len(total), dtype=np.bool_)
-        inside_nodes[edges[count == 1].ravel()] = False
-        tried += len(total)
-        whole = 2 * math.pi * float(Fraction(turn))
-        gap = float(np.abs(total[inside_nodes] - whole).max())
-        rim = float(total[~inside_nodes].max()) / (2 * math.pi)
-        if gap > 1e-7:
-            failures.append(f"M = {case[1]}: an inner sum is off by {gap:.3g}")
-        if not rim < float(Fraction(boundary)):
-            failures.append(f"M = {case[1]}: a sum of {rim:.4f} 2 pi at the boundary")
-    return found(failures, shown=f"{tried} nodes of {len(CASES)} nets", tried=tried)
