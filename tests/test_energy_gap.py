@@ -57,3 +57,9 @@ def test_the_monkey_saddle_beats_every_smooth_isometry_of_radius_three_halves():
 def test_the_check_rejects_its_mutants(mutant: dict[str, Any]):
     assert energy_gap.energy_gap(Setting()).outcome == "pass"
     assert energy_gap.energy_gap(Setting(), **mutant).outcome == "fail"
+
+
+@pytest.mark.parametrize("mutant", [{"share": "43/50"}, {"radius": "3/2"}, {"sectors": 8}])
+def test_a_tenth_below_is_so_on_one_disk_and_not_more(mutant: dict[str, Any]):
+    assert energy_gap.substantially_below(Setting()).outcome == "pass"
+    assert energy_gap.substantially_below(Setting(), **mutant).outcome == "fail"

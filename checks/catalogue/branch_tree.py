@@ -365,13 +365,13 @@ CLAIMS: tuple[Claim, ...] = (
         erratum=Erratum(
             printed=r"$\exp(R - \sqrt{R})$ branch points",
             corrected=(
-                r"about $0.8\,e^R$ on the surfaces of the greedy algorithm; $\exp(R - \sqrt{R})$, "
-                "up to constants, is what the estimate enforces from below"
+                "between $0.8$ and $1.1$ times $e^R$ on the surfaces of the greedy algorithm; what "
+                r"small free disks enforce by themselves is $\exp(R - 2\sqrt{R})$, up to constants"
             ),
             kind="false",
             witness=(
                 r"$\phi_0 = \pi/2$, $\phi^* = 3\pi/4$: $2584$ branch points for $R = 8$, $368660$ "
-                r"for $R = 13$; $e^{R - \sqrt{R}}$ is $176$ and $12025$, the quotient grows from "
+                r"for $R = 13$; $e^{R - \sqrt{R}}$ is $176$ and $12021$, the quotient grows from "
                 "$14.7$ to $30.7$"
             ),
             conclusion_survives=True,

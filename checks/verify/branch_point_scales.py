@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +18,7 @@ RUNS = (("8", "4", "3/4"), ("10", "8", "4/5"), ("10", "12", "4/5"), ("9", "12", 
 FEWEST = 20
 
 
+@cache
 def sister_distances(key: tuple[str, str, str], metric: str) -> dict[int, float]:
     """Median distance of neighbouring sisters by the generation of their parent.
 

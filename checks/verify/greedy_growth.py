@@ -177,54 +177,6 @@ def _made_again(failures: list[str]) -> None:
             failures.append(f"R = 7, 2 m = {sectors}: {tree.branch_point_count} branch points")
 
 
-def depth_law(
-    setting: Setting, *, power: str = "1", less: str = "0", tolerance: str = "1", largest: int = 13
-) -> Evidence:
-    """Whether the cut depth stays within the tolerance of some a + b (R^power - less sqrt R).
-
-    The depth is a whole number, so that a law it follows cannot be missed by 1; from R = 3 on.
-    """
-    del setting
-    failures, told, tried = stale("greedy_runs"), [], 0
-    _made_again(failures)
-    for sectors, cutoff in SETS:
-        radii, depth = _series(sectors, cutoff, "generations", FIRST)
-        kept = radii <= largest
-        radii, depth = radii[kept], depth[kept]
-        law = radii ** float(Fraction(power)) - float(Fraction(less)) * np.sqrt(radii)
-        columns = np.stack([np.ones_like(law), law], axis=1)
-        best = np.linalg.lstsq(columns, depth, rcond=None)[0]
-        worst = float(np.abs(depth - columns @ best).max())
-        tried += len(radii)
-        told.append(f"{best[0]:.2f} + {best[1]:.3f} x within {worst:.2f}")
-        if not worst < float(Fraction(tolerance)) or best[1] <= 0:
-            failures.append(f"2 m = {sectors}, phi* = {cutoff} pi: missed by {worst:.2f}")
-    return found(failures, shown=f"n on 3 <= R <= {largest}: {', '.join(told)}", tried=tried)
-
-
-def slope_grows(setting: Setting, *, sense: int = 1, largest: int = 10) -> Evidence:
-    """Whether the slope of the cut depth increases (sense 1) or decreases (-1) with R.
-
-    By the quadratic term of a fit from R = 3 on; undecided within two standard deviations of 0.
-    """
-    del setting
-    failures, told, sure, tried = stale("greedy_runs"), [], True, 0
-    for sectors, cutoff in SETS:
-        radii, depth = _series(sectors, cutoff, "generations", FIRST)
-        kept = radii <= largest
-        best, spread_of = np.polyfit(radii[kept], depth[kept], 2, cov=True)
-        term, error = float(best[0]), float(np.sqrt(spread_of[0, 0]))
-        tried += int(kept.sum())
-        told.append(f"{term:.3f} +- {error:.3f}")
-        sure = sure and sense * term > 2 * error
-        if sense * term < -2 * error or (sense < 0 and term > 0):
-            failures.append(f"2 m = {sectors}, phi* = {cutoff} pi: {told[-1]}")
-    shown = f"quadratic terms of the cut depth, R <= {largest}: {', '.join(told)}"
-    if failures or sure:
-        return found(failures, shown=shown, tried=tried)
-    return Evidence(outcome="undecided", grade="experiment", shown=shown, tried=tried, met=tried)
-
-
 def number_law(
     setting: Setting, *, rate: str = "1", factor: str = "1", power: str = "1/2", lowest: int = 8
 ) -> Evidence:

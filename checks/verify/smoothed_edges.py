@@ -33,7 +33,7 @@ WIDTHS = (64, 32, 16, 8)
 @cache
 def _amsler() -> tuple[Array, Array]:
     """Table of phi against the product of the coordinates."""
-    products = np.linspace(0, REACH**2, 4001)
+    products = np.linspace(0, REACH**2, 2001)
     return products, np.array([painleve_float.angle(OPENING, 2 * z**0.5) for z in products])
 
 
