@@ -1,14 +1,17 @@
 """Certificates of the greedy algorithm: made in balls, refused where any decisive field is off."""
 
 import copy
+import dataclasses
 import json
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,12 +20,26 @@ from checks.certificates.greedy import verdict
 from checks.certificates.greedy_format import MalformedError, certificate
 from checks.cli import run as command
 from checks.grow.certificate import certificate_of
+from checks.grow.certified import ROUNDING, difference
 from checks.searches.greedy_certificates import parameters
 from discrete.certified_greedy import certified_tree
+from discrete.certified_tree import CertifiedTree
+from discrete.enclosure import Enclosure
 from discrete.errors import InsufficientPrecisionError, ShapeError
 from discrete.greedy import grown
 
 RUNS = (("2", "1/10", 4, "3/4"), ("3", "1/8", 8, "4/5"), ("5/2", "1/12", 12, "1/2"))
+
+#: Coarse runs, with cuts on a side, at the centre itself, and angles that leap beyond pi, in the
+#: disk beyond 2 pi minus the cutoff and elsewhere beyond 2 pi.
+COARSE = (
+    ("3", "1/6", 4, "99/100"),
+    ("4", "1/2", 6, "999/1000"),
+    ("6", "1/2", 6, "3/4"),
+    ("8", "1/2", 8, "1/2"),
+    ("123/50", "1/8", 4, "99/100"),
+    ("6", "1/3", 4, "9/10"),
+)
 
 
 @cache
@@ -55,61 +72,110 @@ def moved(text: str, factor: int, sign: int) -> str:
     return f"{middle.numerator} {e - scale} {r} {f}"
 
 
-@pytest.mark.parametrize("run", RUNS, ids=str)
-def test_a_run_in_balls_has_a_sound_certificate_and_the_cuts_of_the_run_in_floats(run):
+@pytest.mark.parametrize("run", RUNS + COARSE, ids=str)
+def test_a_run_in_balls_has_a_sound_certificate_and_the_sectors_of_the_run_in_floats(run):
     tree, floats = certified_tree(parameters(*run)), grown(parameters(*run))
-    cuts = {s.path: None if s.cut is None else (s.cut.i, s.cut.k) for s in tree.sectors}
-    assert cuts == {
-        path: (int(row["i_cut"]), int(row["k_cut"])) if row["cut"] else None
-        for row, path in zip(floats.sectors, floats.paths, strict=True)
-    }
+    assert difference(tree, floats) == ""
     assert tree.branch_point_count == floats.branch_point_count
-    assert tree.quad_count == (floats.sectors["quads"] * floats.sectors["copies"]).sum()
-    largest = max(float(s.largest.angle) for s in tree.sectors if s.largest)
-    smallest = min(float(s.smallest.angle) for s in tree.sectors if s.smallest)
-    assert largest == pytest.approx(floats.max_angle, abs=1e-12)
-    assert smallest == pytest.approx(floats.min_angle, abs=1e-12)
+    assert tree.generations == floats.generations
+    assert tree.sector_count == floats.sector_count
+    assert floats.area == pytest.approx(floats.parameters.area, rel=ROUNDING)
     said = verdict(certificate(made(run)))
     assert (said.wrong, said.open) == ("", "")
     assert said.quads == sum(s.quads for s in tree.sectors)
 
 
-@settings(max_examples=120, deadline=None, derandomize=True)
-@given(data=st.data(), run=st.sampled_from(RUNS))
-def test_any_decisive_field_altered_beyond_its_radius_is_refused(data, run):
-    found = copy.deepcopy(made(run))
-    *way, last = data.draw(st.sampled_from(decisive(found)))
-    room = found
+def test_the_coarse_runs_have_what_they_are_for():
+    trees = [certified_tree(parameters(*run)) for run in COARSE]
+    cuts = [s.cut for tree in trees for s in tree.sectors if s.cut]
+    assert any(cut.rho.ends() == (0, 0) for cut in cuts)
+    assert any((cut.i == 0) != (cut.k == 0) for cut in cuts)
+    assert any(float(cut.row.angle) > math.pi for cut in cuts)
+
+
+def spoilt(tree: CertifiedTree, number: int, **changes: Any) -> CertifiedTree:
+    sectors = list(tree.sectors)
+    sectors[number] = dataclasses.replace(sectors[number], **changes)
+    return dataclasses.replace(tree, sectors=tuple(sectors))
+
+
+def test_a_tree_that_is_not_that_in_floats_is_told_from_it():
+    run = parameters(*RUNS[0])
+    tree, floats = certified_tree(run), grown(run)
+    first, cut = tree.sectors[0], tree.sectors[0].cut
+    assert cut is not None
+    elsewhere = Enclosure.of(arb(float(cut.rho)) + 1e-8)
+    moved_cut = dataclasses.replace(cut, rho=elsewhere)
+    assert "other sectors" in difference(dataclasses.replace(tree, sectors=(first,)), floats)
+    assert "quads" in difference(spoilt(tree, 0, quads=first.quads + 1), floats)
+    assert "cut" in difference(spoilt(tree, 0, cut=dataclasses.replace(cut, k=cut.k - 1)), floats)
+    assert "cut_rho" in difference(spoilt(tree, 0, cut=moved_cut), floats)
+    assert "copies" in difference(spoilt(tree, 1, copies=1), floats)
+
+
+def altered(value: Any, last: Any, data: dict[str, Any]) -> Any:
+    """Another value for a leaf: a number beyond its radius, a count one on, another path."""
+    if value is None:
+        return next((s[last] for s in data["sectors"] if s[last] is not None), ["0 0 0 0", [0, 0]])
+    if isinstance(value, int):
+        return value + 1
+    return value + "u" if last == "path" else moved(value, 0, 1)
+
+
+def put(data: dict[str, Any], at: tuple[Any, ...], change: Callable[[Any], Any]) -> None:
+    *way, last = at
+    room: Any = data
     for key in way:
         room = room[key]
-    value = room[last]
-    if value is None:
-        # The cut of a sector that is whole, or the extremes of one without a vertex in the disk.
-        room[last] = next(
-            (s[last] for s in found["sectors"] if s[last] is not None), ["0 0 0 0", [0, 0]]
-        )
-    elif isinstance(value, int):
-        room[last] = value + data.draw(st.sampled_from([-2, -1, 1, 2, 1000]))
-    elif last == "path":
-        room[last] = data.draw(
-            st.sampled_from(["uu", "vA", "AAAA", value + "u"]).filter(lambda path: path != value)
-        )
-    else:
-        shift = data.draw(st.integers(0, 10**9))
-        room[last] = moved(value, shift, data.draw(st.sampled_from([-1, 1])))
+    room[last] = change(room[last])
+
+
+def is_refused(data: dict[str, Any]) -> bool:
     try:
-        said = verdict(certificate(found))
+        return bool(verdict(certificate(data)).wrong)
     except MalformedError:
-        return
-    assert said.wrong
+        return True
+
+
+@pytest.mark.parametrize("run", [RUNS[0], COARSE[1]], ids=str)
+def test_every_single_decisive_field_is_decisive(run):
+    places = decisive(made(run))
+    assert len(places) > 40
+    for at in places:
+        found = copy.deepcopy(made(run))
+        put(found, at, lambda value, at=at, found=found: altered(value, at[-1], found))
+        assert is_refused(found), at
+
+
+@settings(max_examples=400, deadline=None, derandomize=True)
+@given(data=st.data(), run=st.sampled_from(RUNS + COARSE[:2]))
+def test_any_decisive_field_altered_beyond_its_radius_is_refused(data, run):
+    found = copy.deepcopy(made(run))
+    at = data.draw(st.sampled_from(decisive(found)))
+
+    def change(value: Any) -> Any:
+        if isinstance(value, int):
+            return value + data.draw(st.sampled_from([-2, -1, 1, 2, 1000]))
+        if at[-1] == "path":
+            paths = ["uu", "vA", "AAAA", value + "u"]
+            return data.draw(st.sampled_from([path for path in paths if path != value]))
+        if value is None:
+            # The cut of a sector that is whole, or extremes where no vertex is in the disk.
+            return altered(value, at[-1], found)
+        return moved(value, data.draw(st.integers(0, 10**9)), data.draw(st.sampled_from([-1, 1])))
+
+    put(found, at, change)
+    assert is_refused(found)
 
 
 @pytest.mark.parametrize("run", RUNS, ids=str)
 def test_missing_doubled_and_foreign_sectors_and_wide_balls_are_refused(run):
-    for alter in ("drop", "double", "whole", "wide"):
+    for alter in ("none", "drop", "double", "whole", "wide"):
         found = copy.deepcopy(made(run))
         tree = found["sectors"]
-        if alter == "drop":
+        if alter == "none":
+            tree.clear()
+        elif alter == "drop":
             tree.pop()
         elif alter == "double":
             tree.append(tree[-1])
