@@ -15,7 +15,7 @@ from discrete.certified_sides import (
     frame_at_cut,
     geodesic_side,
 )
-from discrete.certified_sweep import BallExtreme, larger, smaller, swept
+from discrete.certified_sweep import BallExtreme, BallSweep, larger, smaller, swept
 from discrete.certified_tree import CertifiedCut, CertifiedSector, Extreme
 from discrete.complex_errors import SurgeryError
 from discrete.elementary import ball_functions
@@ -44,7 +44,7 @@ def cut_sector(
     """
     rows = swept(constants, sector.first, sector.second)
     if rows.bad is None:
-        return _told(sector, rows.quads, rows.largest, rows.smallest, None), []
+        return _told(sector, [rows], rows.largest, rows.smallest, None), []
     step, k, line = constants.parameters.step, rows.kept, rows.line
     if line is None:
         raise SurgeryError("a bad row without a line below it")
@@ -73,7 +73,7 @@ def cut_sector(
         i=i, k=k, angle=Enclosure.of(cut.angle), rho=_rho(cut), theta=_theta(cut),
         row=_extreme(rows.bad), column=_extreme(bad),
     )  # fmt: skip
-    found = _told(sector, rows.quads + columns.quads, largest, smallest, told)
+    found = _told(sector, [rows, columns], largest, smallest, told)
     return found, _daughters(constants, sector, cut)
 
 
@@ -90,15 +90,18 @@ def _extreme(found: BallExtreme) -> Extreme:
 
 
 def _told(
-    sector: BallSector, quads: int, largest: BallExtreme | None, smallest: BallExtreme | None,
-    cut: CertifiedCut | None,
+    sector: BallSector, sweeps: list[BallSweep], largest: BallExtreme | None,
+    smallest: BallExtreme | None, cut: CertifiedCut | None,
 ) -> CertifiedSector:  # fmt: skip
+    from flint import arb
+
     return CertifiedSector(
         path=sector.path,
         copies=sector.copies,
         mirrored=sector.mirrored,
         opening=Enclosure.of(sector.opening),
-        quads=quads,
+        quads=sum(sweep.quads for sweep in sweeps),
+        area=Enclosure.of(sum((sweep.area for sweep in sweeps), arb(0))),
         largest=_extreme(largest) if largest else None,
         smallest=_extreme(smallest) if smallest else None,
         cut=cut,

@@ -11,12 +11,16 @@ from fractions import Fraction
 from discrete.certified_cut import cut_sector
 from discrete.certified_sides import BallConstants, UndecidedError, initial_ball_sector
 from discrete.certified_tree import CertifiedSector, CertifiedTree
+from discrete.enclosure import fraction_of
 from discrete.errors import InsufficientPrecisionError, ShapeError
 from discrete.greedy_parameters import GreedyParameters
 from discrete.sector_cutter import TooNarrowError
 
 #: Bits of the first try: the radii grow by a few bits in a sector.
 BITS = 128
+
+#: Largest radius of an enclosure: with a wider one the run begins anew as well.
+WIDE = Fraction(1, 2**64)
 
 #: Width of the ring swept around the disk at first, its growth when it was too narrow, its limit.
 MARGIN, GROWTH, WIDEST = Fraction(1, 5), 2, 8
@@ -56,7 +60,8 @@ def certified_tree(
         except UndecidedError:
             if 2 * bits > limit:
                 raise InsufficientPrecisionError(
-                    f"{bits} bits leave a comparison undecided, and {limit} are the limit"
+                    f"{bits} bits leave a comparison undecided or a number within more than "
+                    f"2^-64, and {limit} are the limit"
                 ) from None
             bits *= 2
 
@@ -74,6 +79,8 @@ def _swept(
     cuts = 0
     while waiting:
         found, daughters = cut_sector(constants, waiting.popleft())
+        if any(fraction_of(part.radius) > WIDE for part in found.enclosures()):
+            raise UndecidedError
         done.append(found)
         cuts += found.cut is not None
         if cuts > max_cuts:

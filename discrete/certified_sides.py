@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from discrete.certified_area import ClippingDisk
 from discrete.elementary import ball_functions
 from discrete.greedy_parameters import GreedyParameters
 from discrete.sl2_frames import Frame, advanced, triple_of, turned
@@ -76,7 +77,7 @@ class BallConstants:
     """Balls that a run needs again and again; outer: height up to which the lines are made.
 
     reach: height below which a quad that meets the disk has a vertex (see run_constants of
-    GreedyParameters); q: square of tanh(step/2).
+    GreedyParameters); q: square of tanh(step/2); clipping: the disk as it cuts quads.
     """
 
     parameters: GreedyParameters
@@ -85,11 +86,13 @@ class BallConstants:
     reach: Any
     outer: Any
     cutoff: Any
+    clipping: ClippingDisk
 
     @classmethod
     def of(cls, parameters: GreedyParameters, margin: Fraction) -> "BallConstants":
         """Constants at the precision in force; margin: width of the ring around the disk."""
         half, radius = ball_of(parameters.step / 2), ball_of(parameters.radius)
+        sinh, cosh = ball_of(parameters.step).sinh_cosh()
         return cls(
             parameters=parameters,
             q=half.tanh() ** 2,
@@ -97,6 +100,7 @@ class BallConstants:
             reach=radius.cosh() * half.cosh(),
             outer=ball_of(parameters.radius + margin).cosh(),
             cutoff=parameters.cutoff.ball(),
+            clipping=ClippingDisk(rim=radius.cosh(), cosh_length=cosh, sinh_length=sinh),
         )
 
 
@@ -110,7 +114,9 @@ def geodesic_side(
     from flint import arb
 
     height = triple_of(frame)[0]
-    slope = (frame[0] ** 2 - frame[1] ** 2 + frame[2] ** 2 - frame[3] ** 2) / 2
+    # Products: flint's power of a ball around 0 is NaN.
+    a, b, c, d = (entry * entry for entry in frame)
+    slope = (a - b + c - d) / 2
     step, heights, n = constants.parameters.step, [height + arb(0)], 0
     while not heights[-1] > constants.outer:
         n += 1

@@ -7,10 +7,12 @@ as those of the angles are, so that the radii of the balls grow no faster than t
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+from discrete.certified_area import ClippingDisk
 from discrete.certified_sides import BallConstants, BallSide, UndecidedError
+from discrete.clipped_quads import Heights
 from discrete.sector_cutter import TooNarrowError
 
 
@@ -27,8 +29,9 @@ class BallRow:
     """Row j of quads: angles, half defects, heights of the vertices above it, and its run.
 
     start, end: columns of the run of quads that meet the disk, -1 without any; closed: whether the
-    quad that ends the run is in the row. bad: the first angle that is certainly beyond the cutoff;
-    open: whether another may be, as far as the balls tell.
+    quad that ends the run is in the row. inner: half the area of the quads within the disk; rim:
+    sine, cosine and heights of the others of its run. bad: the first angle that is certainly beyond
+    the cutoff; open: whether another may be, as far as the balls tell.
     """
 
     angles: list[Any] = field(default_factory=list)
@@ -37,10 +40,16 @@ class BallRow:
     start: int = -1
     end: int = -1
     closed: bool = False
+    inner: Any = 0
+    rim: list[tuple[Any, Any, Heights]] = field(default_factory=list)
     open: bool = False
     bad: BallExtreme | None = None
     largest: BallExtreme | None = None
     smallest: BallExtreme | None = None
+
+    def area(self, disk: ClippingDisk) -> Any:
+        """Area in the disk of the quads of the run."""
+        return 2 * self.inner + sum(disk.clipped_area(*quad) for quad in self.rim)
 
     def is_bad(self) -> bool:
         """Whether an angle exceeds the cutoff. Raises UndecidedError."""
@@ -59,6 +68,7 @@ class BallSweep:
 
     kept: int
     quads: int
+    area: Any
     largest: BallExtreme | None
     smallest: BallExtreme | None
     bad: BallExtreme | None
@@ -164,6 +174,10 @@ def advanced_row(
             if h < reach or is_near(reach, (h, h1, h12, h2)):
                 row.start = i if row.start < 0 else row.start
                 row.end = i
+                if h < rim and h1 < rim and h2 < rim and h12 < rim:
+                    row.inner = row.inner + defect
+                else:
+                    row.rim.append((s, c, (h, h1, h12, h2)))
                 if h < rim or is_inside(constants, h, (i, j), sides) or is_flipped(angle):
                     here = BallExtreme(angle=angle, vertex=(i, j))
                     row.largest = larger(row.largest, here)
@@ -203,13 +217,13 @@ def swept(constants: BallConstants, first: BallSide, second: BallSide) -> BallSw
         if not row.closed and row.start >= 0 and not row.is_bad():
             raise TooNarrowError
         if not touches(row, rows[-1], j):
-            return _summed(done, None, None)
+            return _summed(constants, done, None, None)
         if row.is_bad():
             kept = max(j - 1, 0)
             line = first.with_first_turn(second.turns[0])
             if kept:
                 line = row_line(rows[-2], second, kept)
-            return _summed(done[:kept], row.bad, line)
+            return _summed(constants, done[:kept], row.bad, line)
         done.append(_summary(row))
         rows = [rows[-1], row]
     raise TooNarrowError
@@ -227,19 +241,20 @@ def row_line(row: BallRow, second: BallSide, k: int) -> BallSide:
 
 
 def _summary(row: BallRow) -> BallRow:
-    """Row without its angles and heights."""
-    return BallRow(
-        start=row.start, end=row.end, closed=row.closed, largest=row.largest, smallest=row.smallest
-    )
+    """Row without its angles, defects and heights."""
+    return replace(row, angles=[], defects=[], heights=[])
 
 
-def _summed(rows: list[BallRow], bad: BallExtreme | None, line: BallSide | None) -> BallSweep:
+def _summed(
+    constants: BallConstants, rows: list[BallRow], bad: BallExtreme | None, line: BallSide | None
+) -> BallSweep:
     largest = smallest = None
     for row in rows:
         largest, smallest = larger(largest, row.largest), smaller(smallest, row.smallest)
     return BallSweep(
         kept=len(rows),
         quads=sum(row.end - row.start + 1 for row in rows),
+        area=sum(row.area(constants.clipping) for row in rows),
         largest=largest,
         smallest=smallest,
         bad=bad,

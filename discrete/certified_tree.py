@@ -39,7 +39,8 @@ class CertifiedCut:
 class CertifiedSector:
     """Sector swept; copies, mirrored: as in SECTOR of discrete.greedy_tree.
 
-    largest, smallest: of the angles at the kept vertices in the disk, None without any.
+    area: of the part of the kept quads that lies in the disk. largest, smallest: of the angles at
+    the kept vertices in the disk, None without any.
     """
 
     path: str
@@ -47,9 +48,19 @@ class CertifiedSector:
     mirrored: bool
     opening: Enclosure
     quads: int
+    area: Enclosure
     largest: Extreme | None
     smallest: Extreme | None
     cut: CertifiedCut | None
+
+    def enclosures(self) -> list[Enclosure]:
+        """All its enclosures."""
+        extremes = [self.largest, self.smallest]
+        found = [self.opening, self.area]
+        if self.cut:
+            extremes += [self.cut.row, self.cut.column]
+            found += [self.cut.angle, self.cut.rho, self.cut.theta]
+        return found + [extreme.angle for extreme in extremes if extreme]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,6 +81,15 @@ class CertifiedTree:
         """Number of branch points; the centre is one where more than four sectors meet there."""
         cuts = sum(sector.copies for sector in self.sectors if sector.cut)
         return cuts + (self.parameters.sectors > 4)
+
+    @property
+    def area(self) -> Enclosure:
+        """Area of the parts of the kept quads that lie in the disk; 2 pi (cosh R - 1) if all."""
+        parts = [(sector.copies, sector.area) for sector in self.sectors]
+        return Enclosure.between(
+            sum(copies * part.ends()[0] for copies, part in parts),
+            sum(copies * part.ends()[1] for copies, part in parts),
+        )
 
     @property
     def quad_count(self) -> int:

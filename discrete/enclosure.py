@@ -32,6 +32,12 @@ class Enclosure:
         )
         return cls(midpoint=middle, radius=radius)
 
+    @classmethod
+    def between(cls, low: Fraction, high: Fraction) -> "Enclosure":
+        """Interval between two dyadic numbers."""
+        middle, radius = (low + high) / 2, (high - low) / 2
+        return cls(midpoint=dyadic(middle), radius=dyadic(radius))
+
     def ends(self) -> tuple[Fraction, Fraction]:
         """Lower and upper end, exact."""
         middle, radius = fraction_of(self.midpoint), fraction_of(self.radius)
@@ -50,3 +56,12 @@ def fraction_of(number: Dyadic) -> Fraction:
     """Rational number m 2^e."""
     mantissa, exponent = number
     return Fraction(mantissa << exponent) if exponent >= 0 else Fraction(mantissa, 1 << -exponent)
+
+
+def dyadic(number: Fraction | int) -> Dyadic:
+    """Pair (m, e) of a rational number m 2^e. Raises ValueError for another."""
+    number = Fraction(number)
+    exponent = number.denominator.bit_length() - 1
+    if number.denominator != 1 << exponent:
+        raise ValueError(f"{number} is no dyadic number")
+    return number.numerator, -exponent

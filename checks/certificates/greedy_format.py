@@ -1,9 +1,9 @@
 """Certificate of a run of the greedy algorithm, read from plain JSON data and refused in one line.
 
 Keys: `format`; `parameters` (radius, step: rationals as text; sectors; cutoff: the rationals a, b
-of a + b pi); `bits`; `sectors`, each with path, opening, quads, largest, smallest (null or [angle,
-[i, j]]) and cut (null or i, k, angle, rho, theta, row, column); `totals` (sectors, branch_points,
-quads, generations, largest, smallest). A ball is the text "m e r f" of four integers: midpoint
+of a + b pi); `bits`; `sectors`, each with path, opening, quads, area, largest, smallest (null or
+[angle, [i, j]]) and cut (null or i, k, angle, rho, theta, row, column); `totals` (sectors,
+branch_points, quads, generations, area, largest, smallest). A ball is the text "m e r f" of four integers: midpoint
 m 2^e, radius r 2^f.
 """
 
@@ -55,6 +55,7 @@ class Sector:
     path: str
     opening: Ball
     quads: int
+    area: Ball
     largest: Extreme | None
     smallest: Extreme | None
     cut: Cut | None
@@ -70,6 +71,7 @@ class Certificate:
     cutoff: tuple[Fraction, Fraction]
     tree: tuple[Sector, ...]
     counts: Mapping[str, int]
+    area: Ball
     largest: Ball
     smallest: Ball
 
@@ -85,7 +87,7 @@ def certificate(data: Any) -> Certificate:
     if len(cutoff) != 2:
         raise MalformedError("cutoff: expected two rationals")
     names = ("sectors", "branch_points", "quads", "generations")
-    totals = _fields(top["totals"], "totals", (*names, "largest", "smallest"))
+    totals = _fields(top["totals"], "totals", (*names, "area", "largest", "smallest"))
     found = Certificate(
         radius=_rational(given["radius"], "radius"),
         step=_rational(given["step"], "step"),
@@ -93,6 +95,7 @@ def certificate(data: Any) -> Certificate:
         cutoff=(_rational(cutoff[0], "cutoff"), _rational(cutoff[1], "cutoff")),
         tree=tuple(_sector(entry) for entry in _list(top["sectors"], "sectors")),
         counts={name: _count(totals[name], name) for name in names},
+        area=_ball(totals["area"], "area"),
         largest=_ball(totals["largest"], "largest"),
         smallest=_ball(totals["smallest"], "smallest"),
     )
@@ -102,7 +105,8 @@ def certificate(data: Any) -> Certificate:
 
 
 def _sector(data: Any) -> Sector:
-    entry = _fields(data, "sector", ("path", "opening", "quads", "largest", "smallest", "cut"))
+    names = ("path", "opening", "quads", "area", "largest", "smallest", "cut")
+    entry = _fields(data, "sector", names)
     path = entry["path"]
     if not isinstance(path, str) or set(path) - set("uAv"):
         raise MalformedError(f"path {path!r}: expected letters u, A, v")
@@ -110,6 +114,7 @@ def _sector(data: Any) -> Sector:
         path=path,
         opening=_ball(entry["opening"], "opening"),
         quads=_count(entry["quads"], "quads"),
+        area=_ball(entry["area"], "area"),
         largest=None if entry["largest"] is None else _extreme(entry["largest"]),
         smallest=None if entry["smallest"] is None else _extreme(entry["smallest"]),
         cut=None if entry["cut"] is None else _cut(entry["cut"]),

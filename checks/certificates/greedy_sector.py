@@ -192,7 +192,7 @@ def _cut(disk: Disk, room: Room, said: Cut, row: Line, column: Line) -> list[Roo
     central = said.i == said.k == 0 and row.start == 0
     matches(arb(0) if central else p[0].acosh(), said.rho, f"{name}: rho")
     matches(arb(0) if central else arb.atan2(p[2], p[1]), said.theta, f"{name}: theta")
-    sine = (1 - cosine**2).sqrt()
+    sine = (1 - cosine * cosine).sqrt()
     g = tuple((y - cosine * x) / sine for x, y in zip(e, f, strict=True))
     start = Fraction(0) if central else None
     sides = []

@@ -27,6 +27,7 @@ def certificate_of(tree: CertifiedTree) -> dict[str, Any]:
                 "path": sector.path,
                 "opening": ball(sector.opening),
                 "quads": sector.quads,
+                "area": ball(sector.area),
                 "largest": _extreme(sector.largest),
                 "smallest": _extreme(sector.smallest),
                 "cut": None
@@ -46,6 +47,7 @@ def certificate_of(tree: CertifiedTree) -> dict[str, Any]:
             "branch_points": tree.branch_point_count,
             "quads": tree.quad_count,
             "generations": tree.generations,
+            "area": ball(tree.area),
             "largest": ball(max(largest, key=lambda x: fraction_of(x.midpoint))),
             "smallest": ball(min(smallest, key=lambda x: fraction_of(x.midpoint))),
         },

@@ -61,7 +61,7 @@ def _place(sector: CertifiedSector) -> tuple[int, int] | None:
 
 def _measured(sector: CertifiedSector) -> dict[str, Enclosure]:
     """Enclosures of a sector by the names that a tree in floats has for them."""
-    found = {"opening": sector.opening}
+    found = {"opening": sector.opening, "area": sector.area}
     for name in ("largest", "smallest"):
         extreme = getattr(sector, name)
         found |= {name: extreme.angle} if extreme else {}
