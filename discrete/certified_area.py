@@ -66,5 +66,5 @@ def seen_angle(sinh_d: Any, start: Any, end: Any) -> Any:
 
     Below a right angle: the piece lies on one side of the foot of the perpendicular.
     """
-    beside = sinh_d * (end - start).sinh()
-    return (beside / (sinh_d * sinh_d * start.cosh() * end.cosh() + start.sinh() * end.sinh())).atan()
+    along = sinh_d * sinh_d * start.cosh() * end.cosh() + start.sinh() * end.sinh()
+    return (sinh_d * (end - start).sinh() / along).atan()

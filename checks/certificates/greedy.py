@@ -68,17 +68,21 @@ def _checked(found: Certificate) -> int:
     sectors = {sector.path: sector for sector in found.tree}
     require(len(sectors) == len(found.tree), "a sector stands twice")
     waiting, seen, angles = [initial_room(disk, found.sectors, phi0)], [], []
+    area = arb(0)
     while waiting:
         room = waiting.pop()
         require(room.path in sectors, f"sector {room.path!r} is missing")
         sector = sectors[room.path]
         with ctx.workprec(_bits_left(room)):
-            extremes, daughters = checked_sector(disk, room, sector)
-        angles += extremes
+            kept = checked_sector(disk, room, sector)
+        angles += kept.extremes
+        area += room.copies * kept.area
         seen.append((room.copies, sector))
-        waiting += daughters
+        waiting += kept.daughters
     require(len(seen) == len(sectors), "there are sectors that no cut puts in")
     _totals(found, seen, angles)
+    matches(area, found.area, "totals: area")
+    matches(2 * arb.pi() * (disk.rim - 1), found.area, "totals: area of the disk")
     return sum(sector.quads for _, sector in seen)
 
 

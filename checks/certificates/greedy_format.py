@@ -3,8 +3,8 @@
 Keys: `format`; `parameters` (radius, step: rationals as text; sectors; cutoff: the rationals a, b
 of a + b pi); `bits`; `sectors`, each with path, opening, quads, area, largest, smallest (null or
 [angle, [i, j]]) and cut (null or i, k, angle, rho, theta, row, column); `totals` (sectors,
-branch_points, quads, generations, area, largest, smallest). A ball is the text "m e r f" of four integers: midpoint
-m 2^e, radius r 2^f.
+branch_points, quads, generations, area, largest, smallest). A ball is the text "m e r f" of four
+integers: midpoint m 2^e, radius r 2^f.
 """
 
 from collections.abc import Mapping

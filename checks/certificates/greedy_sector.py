@@ -9,6 +9,7 @@ from typing import Any
 
 from flint import arb
 
+from checks.certificates.greedy_area import sector_area
 from checks.certificates.greedy_format import Ball, Cut, Extreme, Sector
 from checks.certificates.greedy_rows import (
     Disk,
@@ -77,12 +78,22 @@ def matches(ball: Any, said: Ball, what: str) -> None:
 Seen = list[tuple[tuple[int, int], Any]]
 
 
-def checked_sector(disk: Disk, room: Room, sector: Sector) -> tuple[list[Any], list[Room]]:
-    """Cosines of the extremes and daughters of a sector that is as the certificate says."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Kept:
+    """Sector that is as the certificate says; extremes: cosines of its extreme angles."""
+
+    extremes: list[Any]
+    area: Any
+    daughters: list[Room]
+
+
+def checked_sector(disk: Disk, room: Room, sector: Sector) -> Kept:
+    """Sweep of a sector that has to be as the certificate says. Raises WrongError, OpenError."""
     name = f"sector {room.path!r}"
     matches(room.opening, sector.opening, f"{name}: opening")
     kept, low, bad = _swept(disk, room.first, room.second)
     daughters: list[Room] = []
+    cut: tuple[Line, Line] | None = None
     require((bad is None) == (sector.cut is None), f"{name}: whether it is cut")
     if bad is not None and sector.cut is not None:
         k = len(kept)
@@ -96,14 +107,17 @@ def checked_sector(disk: Disk, room: Room, sector: Sector) -> tuple[list[Any], l
             raise WrongError(f"{name}: no column is bad, though a row is")
         _witnesses(disk, sector.cut, bad, worse, name, room.mirrored)
         column = Line(points=up, start=side.start if i == 0 else None)
-        daughters = _cut(disk, room, sector.cut, _beyond(disk, line, i), column)
+        cut = _beyond(disk, line, i), column
+        daughters = _cut(disk, room, sector.cut, *cut)
     else:
         columns, k = [], 0
     quads = sum(row.end - row.start + 1 for row in (*kept, *columns))
     require(sector.quads == quads, f"{name}: it has {quads} quads")
+    area = sector_area(disk, room.first, room.second, cut) if quads else arb(0)
+    matches(area, sector.area, f"{name}: area")
     vertices: Seen = [((i, j), c) for j, row in enumerate(kept) for i, c in row.cosines]
     vertices += [((i, k + n), c) for i, row in enumerate(columns) for n, c in row.cosines]
-    return _extremes(vertices, sector, name), daughters
+    return Kept(extremes=_extremes(vertices, sector, name), area=area, daughters=daughters)
 
 
 def _swept(disk: Disk, first: Line, second: Line) -> tuple[list[Row], Any, tuple[int, Row] | None]:

@@ -82,6 +82,7 @@ def certificate_lines(certificate: dict[str, Any]) -> list[str]:
     return [
         f"certified      every comparison decided with {certificate['bits']} bits: the run ends",
         f"               with {totals['branch_points']} branch points and {totals['quads']} quads",
+        f"area           {_number(totals['area'])}, the whole disk",
         f"least angle    {_number(totals['smallest'])}",
         f"largest angle  {_number(totals['largest'])}",
     ]

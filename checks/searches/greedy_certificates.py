@@ -18,11 +18,13 @@ SOURCES = (
     *(
         f"discrete/{name}.py"
         for name in (
+            "certified_area",
             "certified_cut",
             "certified_greedy",
             "certified_sides",
             "certified_sweep",
             "certified_tree",
+            "clipped_quads",
             "elementary",
             "enclosure",
             "exact_angle",
