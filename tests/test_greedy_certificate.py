@@ -22,8 +22,10 @@ from checks.cli import run as command
 from checks.grow.certificate import certificate_of
 from checks.grow.certified import ROUNDING, difference
 from checks.searches.greedy_certificates import parameters
+from discrete.certified_area import ClippingDisk
 from discrete.certified_greedy import certified_tree
 from discrete.certified_tree import CertifiedTree
+from discrete.clipped_quads import clipped_area
 from discrete.enclosure import Enclosure
 from discrete.errors import InsufficientPrecisionError, ShapeError
 from discrete.greedy import grown
@@ -83,6 +85,29 @@ def test_a_run_in_balls_has_a_sound_certificate_and_the_sectors_of_the_run_in_fl
     said = verdict(certificate(made(run)))
     assert (said.wrong, said.open) == ("", "")
     assert said.quads == sum(s.quads for s in tree.sectors)
+
+
+@given(
+    angle=st.fractions(Fraction(1, 10), Fraction(29, 10), max_denominator=50),
+    turn=st.fractions(-3, 3, max_denominator=50),
+    distance=st.fractions(Fraction(4, 5), Fraction(6, 5), max_denominator=50),
+)
+@settings(max_examples=60, deadline=None, derandomize=True)
+def test_clipped_areas_in_balls_hold_those_in_floats(angle, turn, distance):
+    """Rhombi with edges 1/4 and a vertex at a distance near the radius 1 of the disk."""
+    step, (phi, at, away) = 0.25, (float(x) for x in (angle, turn, distance))
+    s, c, cosh, sinh = math.sin(phi), math.cos(phi), math.cosh(step), math.sinh(step)
+    first, second = (
+        math.cosh(away) * cosh + math.sinh(away) * sinh * math.cos(at + x) for x in (0, phi)
+    )
+    q = math.tanh(step / 2) ** 2
+    more = 2 * q * (c - q) / ((1 - q * c) ** 2 + (q * s) ** 2) * (first + second)
+    heights = math.cosh(away), first, first + second - math.cosh(away) + more, second
+    floats = clipped_area(cosh, sinh, math.cosh(1), s, c, heights)
+    disk = ClippingDisk(rim=arb(math.cosh(1)), cosh_length=arb(cosh), sinh_length=arb(sinh))
+    balls = disk.clipped_area(arb(s), arb(c), tuple(arb(h) for h in heights))
+    assert balls.rad() < ROUNDING
+    assert abs(balls - floats) < ROUNDING
 
 
 def test_the_coarse_runs_have_what_they_are_for():

@@ -284,6 +284,7 @@ CLAIMS: tuple[Claim, ...] = (
                     Mutant(name="0.99 phi*", given={"alter": "cutoff"}, near=True),
                     Mutant(name="one branch point more", given={"alter": "branch points"}),
                     Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
+                    Mutant(name="an area in its tenth digit", given={"alter": "area"}),
                 ),
             ),
             Check(
@@ -297,6 +298,7 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="one column more", given={"alter": "column"}, near=True),
                     Mutant(name="the angle at a cut in its tenth digit", given={"alter": "angle"}),
+                    Mutant(name="an area in its tenth digit", given={"alter": "area"}),
                 ),
             ),
         ),

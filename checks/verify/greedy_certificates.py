@@ -9,7 +9,7 @@ from checks.certificates.greedy import verdict
 from checks.certificates.greedy_format import certificate
 from checks.evidence import Evidence, Setting
 from checks.grow.certificate import certificate_of
-from checks.grow.certified import ROUNDING, difference
+from checks.grow.certified import difference
 from checks.searches.greedy_certificates import parameters
 from checks.stored import load
 from discrete.certified_greedy import certified_tree
@@ -25,16 +25,17 @@ RUNS = (
 
 
 def _altered(data: Mapping[str, Any], alter: str) -> Mapping[str, Any]:
-    """Certificate with one field changed: a cut one column on, its angle, a total, the cutoff."""
+    """Certificate with one field changed: a cut one column on, its angle, an area, and so on."""
     if not alter:
         return data
     found = copy.deepcopy(dict(data))
     cut = next(sector["cut"] for sector in found["sectors"] if sector["cut"])
     if alter == "column":
         cut["i"] += 1
-    elif alter == "angle":
-        m, e, r, f = cut["angle"].split()
-        cut["angle"] = f"{int(m) + (int(m) >> 30)} {e} {r} {f}"
+    elif alter in ("angle", "area"):
+        room = cut if alter == "angle" else next(s for s in found["sectors"] if s["quads"])
+        m, e, r, f = room[alter].split()
+        room[alter] = f"{int(m) + (int(m) >> 30)} {e} {r} {f}"
     elif alter == "branch points":
         found["totals"]["branch_points"] += 1
     elif alter == "cutoff":
@@ -69,8 +70,6 @@ def made_anew(setting: Setting, *, alter: str = "") -> Evidence:
         tree, floats = certified_tree(run), grown(run)
         if where := difference(tree, floats):
             wrong.append(f"{told}: discrete.greedy differs, {where}")
-        if not abs(floats.area / run.area - 1) <= ROUNDING:
-            wrong.append(f"{told}: the kept quads have another area than the disk")
         said = verdict(certificate(_altered(certificate_of(tree), alter)))
         wrong += [f"{told}: {said.wrong}"] if said.wrong else []
         left += [f"{told}: {said.open}"] if said.open else []
@@ -81,7 +80,7 @@ def made_anew(setting: Setting, *, alter: str = "") -> Evidence:
         wrong,
         left,
         shown=f"{len(quads)} runs end, with {sum(quads)} quads up to symmetry, every comparison "
-        "by balls, and certificates that the checker accepts",
+        "by balls, and keep the area of the disk; the checker accepts their certificates",
         tried=len(quads),
     )
 
