@@ -23,10 +23,11 @@ from checks.grow.certificate import certificate_of
 from checks.grow.certified import ROUNDING, difference
 from checks.searches.greedy_certificates import parameters
 from discrete.certified_area import ClippingDisk
-from discrete.certified_greedy import certified_tree
+from discrete.certified_greedy import WIDE, certified_tree
 from discrete.certified_tree import CertifiedTree
 from discrete.clipped_quads import clipped_area
-from discrete.enclosure import Enclosure
+from discrete.complex_errors import SurgeryError
+from discrete.enclosure import Enclosure, fraction_of
 from discrete.errors import InsufficientPrecisionError, ShapeError
 from discrete.greedy import grown
 
@@ -246,11 +247,20 @@ def test_a_tie_is_decided_or_the_run_is_refused():
     """The vertex at distance R on an axis is in the closed disk whatever the bits."""
     run = parameters("2", "1/10", 4, "3/4")
     few = certified_tree(run, bits=64)
+    assert all(fraction_of(e.radius) <= WIDE for s in few.sectors for e in s.enclosures())
     assert [s.quads for s in few.sectors] == [s.quads for s in certified_tree(run).sectors]
     with pytest.raises(InsufficientPrecisionError, match="bits"):
         certified_tree(run, bits=16, limit=20)
     with pytest.raises(ShapeError, match="cuts"):
         certified_tree(parameters("4", "1/10", 4, "3/4"), max_cuts=3)
+
+
+def test_rows_and_columns_that_disagree_are_refused_in_balls_as_in_floats():
+    """A row of the disk begins beyond the end of the one below: its columns see another order."""
+    run = parameters("5/4", "1/4", 4, "99/100")
+    for made_by in (certified_tree, grown):
+        with pytest.raises(SurgeryError):
+            made_by(run)
 
 
 def test_command_writes_a_certificate_that_can_be_checked(tmp_path: Path, capfd):
