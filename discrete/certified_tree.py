@@ -5,6 +5,7 @@ Letters of a path: u, A, v, the daughters of each cut on the way from the initia
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from discrete.enclosure import Enclosure
 from discrete.greedy_parameters import GreedyParameters
@@ -85,11 +86,9 @@ class CertifiedTree:
     @property
     def area(self) -> Enclosure:
         """Area of the parts of the kept quads that lie in the disk; 2 pi (cosh R - 1) if all."""
-        parts = [(sector.copies, sector.area) for sector in self.sectors]
-        return Enclosure.between(
-            sum(copies * part.ends()[0] for copies, part in parts),
-            sum(copies * part.ends()[1] for copies, part in parts),
-        )
+        parts = [(sector.copies, sector.area.ends()) for sector in self.sectors]
+        low, high = (sum((n * ends[k] for n, ends in parts), Fraction(0)) for k in (0, 1))
+        return Enclosure.between(low, high)
 
     @property
     def quad_count(self) -> int:
