@@ -19,7 +19,7 @@ from discrete.greedy_tree import GreedyTree
 
 #: Numbers of initial sectors and cutoffs in half turns.
 SETS = (("12", "1/2"), ("12", "2/5"), ("16", "1/2"))
-RADII = tuple(str(radius) for radius in range(3, 9))
+RADII = tuple(str(radius) for radius in range(3, 8))
 STEPS = ("1/50", "1/100")
 
 
