@@ -4,6 +4,7 @@ The rule of discrete.sector_cut and discrete.sector_sides.daughters.
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from discrete.certified_sides import (
@@ -104,7 +105,14 @@ def _told(
     )
 
 
+def _is_at_centre(cut: BallCut) -> bool:
+    """Whether the cut is at the centre itself, where balls would not tell its distance from 0."""
+    return cut.i == cut.k == 0 and cut.row.start == 0
+
+
 def _rho(cut: BallCut) -> Enclosure:
+    if _is_at_centre(cut):
+        return Enclosure(midpoint=(0, 0), radius=(0, 0))
     if not all(entry.is_finite() for entry in cut.frame):
         raise UndecidedError
     rho = distance_from_start(ball_functions(), cut.frame)
@@ -115,6 +123,8 @@ def _rho(cut: BallCut) -> Enclosure:
 
 def _theta(cut: BallCut) -> Enclosure:
     """Direction of the cut, in (-pi, pi); 0 at the centre itself."""
+    if _is_at_centre(cut):
+        return Enclosure(midpoint=(0, 0), radius=(0, 0))
     _, x, y = triple_of(cut.frame)
     return Enclosure.of(ball_functions().atan2(y, x))
 
@@ -125,7 +135,7 @@ def _daughters(constants: BallConstants, parent: BallSector, cut: BallCut) -> li
     near_frame = turned(functions, cut.frame, parent.hand * opening)
     far_frame = turned(functions, near_frame, parent.hand * opening)
     # New sides go straight away from the centre only where the cut is there.
-    start = cut.row.start if cut.i == cut.k == 0 and cut.row.start == 0 else None
+    start = Fraction(0) if _is_at_centre(cut) else None
     near = geodesic_side(constants, near_frame, opening, start=start)
     far = near.with_first_turn(0)
     if not parent.mirrored:

@@ -27,7 +27,8 @@ class BallRow:
     """Row j of quads: angles, half defects, heights of the vertices above it, and its run.
 
     start, end: columns of the run of quads that meet the disk, -1 without any; closed: whether the
-    quad that ends the run is in the row.
+    quad that ends the run is in the row. bad: the first angle that is certainly beyond the cutoff;
+    open: whether another may be, as far as the balls tell.
     """
 
     angles: list[Any] = field(default_factory=list)
@@ -36,16 +37,24 @@ class BallRow:
     start: int = -1
     end: int = -1
     closed: bool = False
+    open: bool = False
+    bad: BallExtreme | None = None
     largest: BallExtreme | None = None
     smallest: BallExtreme | None = None
+
+    def is_bad(self) -> bool:
+        """Whether an angle exceeds the cutoff. Raises UndecidedError."""
+        if self.bad is None and self.open:
+            raise UndecidedError
+        return self.bad is not None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BallSweep:
     """Rows of the disk below the first bad one, or all.
 
-    bad: the largest angle of the bad row and its vertex; line: of the row `kept` of vertices, where
-    there is a bad row.
+    bad: the first bad angle of the bad row and its vertex; line: of the row `kept` of vertices,
+    where there is a bad row.
     """
 
     kept: int
@@ -133,7 +142,7 @@ def advanced_row(
     It is left off where its run cannot touch the one below. Raises UndecidedError.
     """
     q, rim, reach, outer = constants.q, constants.rim, constants.reach, constants.outer
-    second = sides[1]
+    second, cutoff = sides[1], constants.cutoff
     row = BallRow(heights=[second.heights[j + 1]])
     rise, defect = second.turns[j], 0
     climb = second.heights[j + 1] - second.heights[j]
@@ -159,6 +168,10 @@ def advanced_row(
                     here = BallExtreme(angle=angle, vertex=(i, j))
                     row.largest = larger(row.largest, here)
                     row.smallest = smaller(row.smallest, here)
+                    if angle > cutoff:
+                        row.bad = row.bad or here
+                    elif not angle <= cutoff:
+                        row.open = True
             elif row.start >= 0:
                 row.closed = True
             elif j > 0 and i > below.end:
@@ -187,27 +200,19 @@ def swept(constants: BallConstants, first: BallSide, second: BallSide) -> BallSw
     done: list[BallRow] = []
     for j in range(len(second.heights) - 1):
         row = advanced_row(constants, j, rows[-1], (first, second))
-        if not row.closed and row.start >= 0 and not _is_bad(constants, row):
+        if not row.closed and row.start >= 0 and not row.is_bad():
             raise TooNarrowError
         if not touches(row, rows[-1], j):
             return _summed(done, None, None)
-        if _is_bad(constants, row):
+        if row.is_bad():
             kept = max(j - 1, 0)
             line = first.with_first_turn(second.turns[0])
             if kept:
                 line = row_line(rows[-2], second, kept)
-            return _summed(done[:kept], row.largest, line)
+            return _summed(done[:kept], row.bad, line)
         done.append(_summary(row))
         rows = [rows[-1], row]
     raise TooNarrowError
-
-
-def _is_bad(constants: BallConstants, row: BallRow) -> bool:
-    if row.largest is None or row.largest.angle <= constants.cutoff:
-        return False
-    if row.largest.angle > constants.cutoff:
-        return True
-    raise UndecidedError
 
 
 def row_line(row: BallRow, second: BallSide, k: int) -> BallSide:

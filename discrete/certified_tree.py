@@ -22,8 +22,8 @@ class Extreme:
 class CertifiedCut:
     """Cut at vertex (i, k): its angle, polar coordinates, and why no more was kept.
 
-    row, column: vertices in the disk with an angle beyond the cutoff, in the first row and the
-    first column that have one.
+    row, column: the first vertices with an angle beyond the cutoff, in the first row and the first
+    column that have one: in the disk, or at a flipped quad that meets it.
     """
 
     i: int

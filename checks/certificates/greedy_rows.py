@@ -84,7 +84,11 @@ class Disk:
 
 @dataclass(kw_only=True, eq=False)
 class Row:
-    """Row of quads: the points above it, its run, and the cosines at the vertices in the disk."""
+    """Row of quads: the points above it, its run, and cosines at the corners of its quads.
+
+    cosines: at the vertices in the disk; flipped: of the quads that are flipped, wherever they are
+    (their angle lies beyond pi, which a cosine does not tell).
+    """
 
     top: list[Point] = field(default_factory=list)
     start: int = -1
@@ -145,10 +149,10 @@ def next_row(
             if near:
                 row.start, row.end = (i if row.start < 0 else row.start), i
                 line, n = (first, i) if j == 0 else (second, j) if i == 0 else (None, 0)
-                if disk.holds(p, n, line):
-                    row.cosines.append((i, (square - d) / sine2))
-                elif is_flipped((p, p1, p2), hand):
+                if is_flipped((p, p1, p2), hand):
                     row.flipped.append((i, (square - d) / sine2))
+                elif disk.holds(p, n, line):
+                    row.cosines.append((i, (square - d) / sine2))
             elif row.start >= 0:
                 row.ended = True
             elif below is not None and i > below.end:

@@ -179,18 +179,22 @@ def _extremes(vertices: Seen, sector: Sector, name: str) -> list[Any]:
 
 
 def _cut(disk: Disk, room: Room, said: Cut, row: Line, column: Line) -> list[Room]:
-    """Daughters at a cut, after its angle and place have been compared with what is said."""
+    """Daughters at a cut, after its angle and place have been compared with what is said.
+
+    A cut at the centre itself is said to be at the distance and in the direction 0.
+    """
     name = f"sector {room.path!r}"
     p = row.points[0]
     e, f = (_direction(disk, p, line.points[1]) for line in (row, column))
     cosine = e[1] * f[1] + e[2] * f[2] - e[0] * f[0]
     angle = cosine.acos()
     matches(angle, said.angle, f"{name}: cut angle")
-    matches(p[0].acosh(), said.rho, f"{name}: rho")
-    matches(arb.atan2(p[2], p[1]), said.theta, f"{name}: theta")
+    central = said.i == said.k == 0 and row.start == 0
+    matches(arb(0) if central else p[0].acosh(), said.rho, f"{name}: rho")
+    matches(arb(0) if central else arb.atan2(p[2], p[1]), said.theta, f"{name}: theta")
     sine = (1 - cosine**2).sqrt()
     g = tuple((y - cosine * x) / sine for x, y in zip(e, f, strict=True))
-    start = Fraction(0) if said.i == said.k == 0 and row.start == 0 else None
+    start = Fraction(0) if central else None
     sides = []
     for n in (1, 2):
         c, s = (n * angle / 3).cos(), (n * angle / 3).sin()
