@@ -7,10 +7,14 @@ from checks.grow.bar import share_bar
 from checks.grow.certificate import certificate_of
 from checks.grow.computing import Undecided
 from discrete.certified_greedy import certified_tree
-from discrete.certified_tree import CertifiedTree
+from discrete.certified_tree import CertifiedSector, CertifiedTree
 from discrete.complex_errors import SurgeryError
+from discrete.enclosure import Enclosure
 from discrete.errors import InsufficientPrecisionError, ShapeError
 from discrete.greedy_tree import GreedyTree
+
+#: Rounding that angles and distances of a run in floats may have gathered.
+ROUNDING = 1e-9
 
 
 def certified_data(tree: GreedyTree, *, max_cuts: int) -> dict[str, Any]:
@@ -29,21 +33,41 @@ def certified_data(tree: GreedyTree, *, max_cuts: int) -> dict[str, Any]:
             )
     except (InsufficientPrecisionError, ShapeError, SurgeryError) as error:
         raise Undecided(f"no certificate: {error}") from None
-    if cuts_of(found) != _cuts_in_floats(tree):
-        raise Undecided("no certificate: rounding misplaced a cut of the run in floats")
+    if where := difference(found, tree):
+        raise Undecided(f"no certificate: rounding misled the run in floats, {where}")
     return certificate_of(found)
 
 
-def cuts_of(tree: CertifiedTree) -> dict[str, tuple[int, int] | None]:
-    """Place of the cut of each sector by its path, None where it is not cut."""
-    return {s.path: None if s.cut is None else (s.cut.i, s.cut.k) for s in tree.sectors}
+def difference(found: CertifiedTree, floats: GreedyTree) -> str:
+    """Where a tree in balls is not that in floats, empty if it is: which sector, and in what."""
+    told = {sector.path: sector for sector in found.sectors}
+    if set(told) != set(floats.paths):
+        return "other sectors"
+    for row, path in zip(floats.sectors, floats.paths, strict=True):
+        sector = told[path]
+        counted = (sector.copies, sector.mirrored, sector.quads, _place(sector))
+        place = (int(row["i_cut"]), int(row["k_cut"])) if row["cut"] else None
+        if counted != (row["copies"], row["mirrored"], row["quads"], place):
+            return f"sector {path!r}: copies, symmetry, quads or place of the cut"
+        for name, value in _measured(sector).items():
+            if not abs(float(value) - row[name]) <= ROUNDING:
+                return f"sector {path!r}: {name}"
+    return ""
 
 
-def _cuts_in_floats(tree: GreedyTree) -> dict[str, tuple[int, int] | None]:
-    return {
-        path: (int(row["i_cut"]), int(row["k_cut"])) if row["cut"] else None
-        for row, path in zip(tree.sectors, tree.paths, strict=True)
-    }
+def _place(sector: CertifiedSector) -> tuple[int, int] | None:
+    return None if sector.cut is None else (sector.cut.i, sector.cut.k)
+
+
+def _measured(sector: CertifiedSector) -> dict[str, Enclosure]:
+    """Enclosures of a sector by the names that a tree in floats has for them."""
+    found = {"opening": sector.opening}
+    for name in ("largest", "smallest"):
+        extreme = getattr(sector, name)
+        found |= {name: extreme.angle} if extreme else {}
+    if sector.cut:
+        found |= {"cut_angle": sector.cut.angle, "cut_rho": sector.cut.rho}
+    return found
 
 
 def _number(text: str) -> str:
