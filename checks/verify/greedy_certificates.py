@@ -48,7 +48,7 @@ def _evidence(wrong: list[str], left: list[str], *, shown: str, tried: int) -> E
         outcome="fail" if wrong else "undecided" if left else "pass",
         grade="certified",
         shown=shown,
-        tried=len(quads),
+        tried=tried,
         met=tried,
         witness="; ".join((wrong or left)[:3]),
     )
@@ -80,8 +80,8 @@ def made_anew(setting: Setting, *, alter: str = "") -> Evidence:
     return _evidence(
         wrong,
         left,
-        shown=f"{len(quads)} runs end, with {sum(quads)} quads up to symmetry, every comparison by balls "
-        "and certificates that the checker accepts",
+        shown=f"{len(quads)} runs end, with {sum(quads)} quads up to symmetry, every comparison "
+        "by balls, and certificates that the checker accepts",
         tried=len(quads),
     )
 
