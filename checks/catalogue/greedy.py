@@ -1,6 +1,6 @@
 """Claims of section 4.1, the greedy algorithm: its start, its result, termination and covering."""
 
-from checks.claim import Check, Claim, Erratum, Mutant
+from checks.claim import Check, Citation, Claim, Erratum, Mutant
 
 _SMALL = (
     r"(used, not stated) $\Delta$ is small against the distance of the cut from the axes, so "
@@ -410,7 +410,21 @@ CLAIMS: tuple[Claim, ...] = (
             "Repeated surgery gives branched isometric immersions of geodesic disks of every "
             "radius."
         ),
-        hypotheses=("(used, not stated) for every $R$ the algorithm ends",),
+        hypotheses=(
+            "(read so) on the radii looked at, up to 10: a proof for all is not known",
+            "(used, not stated) for every $R$ the algorithm ends",
+        ),
+        checks=(
+            Check(
+                name="stored runs",
+                run="checks.verify.greedy_tree_shape:runs_to_ten",
+                routes=("stored runs", "area of the disk in closed form"),
+                mutants=(
+                    Mutant(name="1 % more area", given={"covered": "101/100"}, near=True),
+                    Mutant(name="100 cuts", given={"cuts": 100}),
+                ),
+            ),
+        ),
         rests_on=("alg:greedy-cuts",),
     ),
     Claim(
@@ -481,6 +495,13 @@ CLAIMS: tuple[Claim, ...] = (
             (
                 "(used, not stated) finitely many sectors cover, or branch points do not "
                 "accumulate on the common boundary of sectors"
+            ),
+        ),
+        citation=Citation(
+            source="compactness of the closed disk (Heine and Borel)",
+            reason=(
+                "an argument about all coverings; as printed it has a gap, which the hypothesis "
+                "names: the open sets around the branch points need not cover the disk"
             ),
         ),
         rests_on=("4.1.branch-point-neighbourhood",),

@@ -251,8 +251,8 @@ CLAIMS: tuple[Claim, ...] = (
             kind="false",
             witness=(
                 "$R = 4$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $m_0 = 18$ "
-                "and $g = 1$, while the greedy algorithm has 2 generations; $R = 8$: $g = 5$ and "
-                "8 generations"
+                "and $g = 1$, while the greedy algorithm has 2 generations; $R = 7$: $g = 4$ and "
+                "6 generations"
             ),
             conclusion_survives=False,
             remark=(

@@ -74,6 +74,53 @@ CLAIMS: tuple[Claim, ...] = (
             "none ever enters the disk."
         ),
         hypotheses=(_MONO, "(used, not stated) a branch point only moves away from the origin"),
+        checks=(
+            Check(
+                name="any move of the corner",
+                run="checks.verify.greedy_dual_stages:moves_outward",
+                routes=(
+                    "nets before and after the corner moves",
+                    "distances by SL(2, R) frames",
+                ),
+                mutants=(
+                    Mutant(name="by half an edge at least", given={"least": "1/2"}, near=True),
+                ),
+            ),
+            Check(
+                name="both coordinates grow",
+                run="checks.verify.greedy_dual_stages:moves_outward",
+                form="corrected",
+                given={"both": True},
+                routes=(
+                    "nets before and after the corner moves",
+                    "distances by SL(2, R) frames",
+                ),
+                mutants=(
+                    Mutant(name="inward", given={"both": True, "direction": -1}),
+                    Mutant(
+                        name="by one and a half edges",
+                        given={"both": True, "least": "3/2"},
+                        near=True,
+                    ),
+                    Mutant(name="any move", given={"both": False}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="no branch point enters the disk as their parents move outward",
+            corrected=(
+                "none does while both coordinates of the parents grow; where one grows alone, far "
+                "off the mirror line, later branch points can come nearer to the origin"
+            ),
+            kind="hypothesis",
+            witness=(
+                "$m = 6$, edges of $1/20$: when the corner moves from vertex $(14, 3)$ to "
+                "$(14, 4)$ of its sector, some points of the daughters come nearer to the origin, "
+                "by $0.004$"
+            ),
+            conclusion_survives=True,
+            remark="Points at one place of their sector were followed, where $\\varphi < \\pi/2$.",
+        ),
         rests_on=("4.1.dual-5-monotone",),
     ),
     Claim(
@@ -82,7 +129,23 @@ CLAIMS: tuple[Claim, ...] = (
         where="section 4.1, dual interpretation, item (6), line 1415",
         kind="item",
         statement="The greedy algorithm ends after finitely many steps.",
-        hypotheses=(_MONO, _SIGN, _SMALL),
+        hypotheses=(
+            "(read so) on the radii looked at, up to 7: a proof for all is not known",
+            _MONO,
+            _SIGN,
+            _SMALL,
+        ),
+        checks=(
+            Check(
+                name="runs",
+                run="checks.verify.greedy_dual_result:ends",
+                routes=("runs of discrete.greedy", "area of the disk in closed form"),
+                mutants=(
+                    Mutant(name="1300 cuts", given={"most": 1300}, near=True),
+                    Mutant(name="500 cuts", given={"most": 500}),
+                ),
+            ),
+        ),
         rests_on=("4.1.dual-6-same-result", "4.1.dual-6-no-new-branch-points", "alg:greedy-cuts"),
     ),
     Claim(

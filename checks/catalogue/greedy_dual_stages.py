@@ -272,6 +272,48 @@ CLAIMS: tuple[Claim, ...] = (
             _DUAL,
             "(used, not stated) no sector develops a singular edge inside the disk on the way",
         ),
+        checks=(
+            Check(
+                name="first stage",
+                run="checks.verify.greedy_dual_stages:stage_one",
+                routes=(
+                    "angles of nets of two edge lengths",
+                    "distances by SL(2, R) frames",
+                ),
+                mutants=(Mutant(name="phi* = 2 pi/5", given={"cutoff": "2/5"}, near=True),),
+            ),
+            Check(
+                name="m = 8, R = 4",
+                run="checks.verify.greedy_dual_stages:stage_one",
+                form="corrected",
+                given={"half": 8},
+                routes=(
+                    "angles of nets of two edge lengths",
+                    "distances by SL(2, R) frames",
+                ),
+                mutants=(
+                    Mutant(name="R = 5", given={"half": 8, "radius": "5"}, near=True),
+                    Mutant(name="m = 6", given={"half": 6}),
+                    Mutant(name="phi < 4 pi/5", given={"half": 8, "level": "4/5"}),
+                ),
+            ),
+        ),
+        erratum=Erratum(
+            printed="the sectors cover the disk at every stage",
+            corrected=(
+                "they do while none of them has a singular edge inside the disk, as for $m = 8$, "
+                "$R = 4$; the sectors beside the lines of the parent may have one at the first "
+                "stage already"
+            ),
+            kind="hypothesis",
+            witness=(
+                r"$R = 4$, $m = 6$, $\phi^* = \pi/2$, $g = 1$: in the outer sectors of the first "
+                r"generation, of opening a third of the cut angle, $\varphi$ passes $\pi$ at the "
+                "distance $3.8$ from the origin"
+            ),
+            conclusion_survives=False,
+            remark="$m_0$ makes the central sectors narrow enough, not those beside curved lines.",
+        ),
         rests_on=("4.1.dual-3-stage", "4.1.periodic-amsler"),
     ),
     Claim(

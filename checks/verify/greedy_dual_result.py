@@ -19,7 +19,7 @@ from discrete.greedy_tree import GreedyTree
 
 #: Numbers of initial sectors and cutoffs in half turns.
 SETS = (("12", "1/2"), ("12", "2/5"), ("16", "1/2"))
-RADII = tuple(str(radius) for radius in range(3, 9))
+RADII = tuple(str(radius) for radius in range(3, 8))
 STEPS = ("1/50", "1/100")
 
 
@@ -136,3 +136,16 @@ def energy(setting: Setting, *, constant: str = "11/10") -> Evidence:
         if ratio >= float(Fraction(constant)):
             failures.append(f"{case.name}: E_inf = {ratio:.4f} 3^g m")
     return found(failures, shown=f"{tried} runs, at most {largest:.3f} 3^g m", tried=tried)
+
+
+def ends(setting: Setting, *, most: int = 10**6, radii: int = len(RADII)) -> Evidence:
+    """Whether the runs end, each within so many cuts; radii: how many of RADII."""
+    del setting
+    failures, tried = [], 0
+    for sectors_, cutoff in SETS:
+        for radius in RADII[:radii]:
+            tried += 1
+            tree = tree_of(radius, "1/50", sectors_, cutoff, most)
+            if not tree.terminated or abs(tree.area / tree.parameters.area - 1) > 1e-9:
+                failures.append(f"R = {radius}, 2 m = {sectors_}: not over after {most} cuts")
+    return found(failures, shown=f"{tried} runs end and cover the disk", tried=tried)

@@ -16,7 +16,7 @@ from checks.verify.printed_runs import CASES, cut_sectors, found, node, place_of
 from discrete.point_cover import contained
 
 #: Random points of a disk.
-POINTS = 20000
+POINTS = 5000
 
 #: Distance within which nodes of two sectors are one node, in units of Delta.
 ONE_NODE = 1e-6
