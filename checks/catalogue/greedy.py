@@ -193,9 +193,7 @@ CLAIMS: tuple[Claim, ...] = (
         checks=(
             Check(
                 name="disk of radius 1/2",
-                run="checks.verify.printed_start:initial_cover",
-                form="support",
-                given={"variant": "meant"},
+                run="checks.verify.printed_start:each_sector",
                 routes=("the algorithm in the disk", "random points"),
                 mutants=(Mutant(name="without the last sector", given={"last": 1}, near=True),),
             ),

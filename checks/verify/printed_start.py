@@ -143,3 +143,8 @@ def axes(setting: Setting, *, number: str = "0", rate: str = "1/2") -> Evidence:
                 if gap > 1e-13:
                     failures.append(f"M = {case[1]}, sector {n}: an axis is off by {gap:.2g}")
     return found(failures, shown=f"both axes of {tried} sectors", tried=tried)
+
+
+def each_sector(setting: Setting, *, last: int = 0) -> Evidence:
+    """Whether sectors 1 to M, filled as step 5 is meant, surround the origin once."""
+    return initial_cover(setting, variant="meant", last=last)
