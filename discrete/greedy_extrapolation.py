@@ -1,7 +1,7 @@
 """Values of the greedy algorithm as the edge length goes to 0, extrapolated from runs.
 
-A cut is snapped to the grid, up to an edge before its place in the limit, so that a value has the
-error c(Delta) Delta with a bounded c that jumps. A line a + b Delta is fitted, with weights
+A cut is snapped to the grid, and the cuts below it start from there, so that a value has the error
+c(Delta) Delta with a bounded c that jumps. A line a + b Delta is fitted, with weights
 1/Delta. Since c jumps by as much as its mean, the uncertainty is what the line adds to the value at
 the finest edge length, and that edge length times the largest residual over Delta.
 """

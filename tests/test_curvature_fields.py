@@ -6,15 +6,16 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from bobbin_nets import bobbin_angle, bobbin_sector
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import dblquad, quad
 
-from discrete.branched_net import BranchedNet, geodesic_ray, regular_star, star, surgery
+from discrete.branched_net import BranchedNet, Placed, geodesic_ray, regular_star, star, surgery
 from discrete.curvature_energy import energies, sector_energies
 from discrete.curvature_fields import curvature_fields
 from discrete.errors import AngleError
-from theory import bobbin_reference, painleve_float
+from theory import painleve_float
 
 LEVELS = (16, 32, 64, 128)
 SIDE = 0.7
@@ -98,11 +99,6 @@ def test_energies_of_amsler_stars_tend_to_painleve_three(order):
     assert all(map(is_second_order, errors.values()))
 
 
-def bobbin_angle(kappa: int, xi: float) -> float:
-    s = float(bobbin_reference.arc_length(Fraction(kappa), Fraction(xi), digits=18))
-    return 2 * math.acos(math.sqrt((kappa**2 - math.sinh(s) ** 2) / (kappa**2 + 1)))
-
-
 def test_a_net_beyond_a_singular_edge_is_refused_with_its_face():
     ray = geodesic_ray(np.full(30, 0.1))
     with pytest.raises(AngleError, match=r"face \d+ of the net has the angle"):
@@ -111,9 +107,6 @@ def test_a_net_beyond_a_singular_edge_is_refused_with_its_face():
 
 def test_energy_of_a_bobbin_sector_tends_to_elliptic_functions():
     """The angle of a bobbin depends on u + v alone: one integral over the triangle weights."""
-    from discrete.branched_net import Placed
-    from tests.test_net_convergence import bobbin_sector
-
     kappa, side = 1, Fraction(1, 2)
     length = float(side)
 
@@ -121,11 +114,11 @@ def test_energy_of_a_bobbin_sector_tends_to_elliptic_functions():
         return min(t, 2 * length - t)
 
     def integral(function) -> float:
+        def weighted(t: float) -> float:
+            return weight(t) * function(bobbin_angle(kappa, Fraction(t)))
+
         halves = ((0.0, length), (length, 2 * length))
-        return sum(
-            quad(lambda t: weight(t) * function(bobbin_angle(kappa, t)), *ends, epsabs=1e-9)[0]
-            for ends in halves
-        )
+        return sum(quad(weighted, *ends, epsabs=1e-9)[0] for ends in halves)
 
     area = integral(math.sin)
     willmore = integral(lambda phi: 4 / math.sin(phi) - 2 * math.sin(phi))

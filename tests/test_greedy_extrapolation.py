@@ -67,18 +67,15 @@ def test_number_of_branch_points_is_that_of_the_limit(case):
     assert abs(found["branch_points"].value - expected) <= found["branch_points"].uncertainty
 
 
-@pytest.mark.parametrize("case", [CASES[0], CASES[1], CASES[3]], ids=str)
-def test_errors_fall_with_the_first_order_in_the_mean(case):
-    """Of the places of all cuts together: each by itself jumps as the grid passes it."""
-    found, exact = values(*case), limit(*case)
-    true = {f"rho {cut.path}": cut.rho for cut in exact.cuts}
-    names = [name for name in true if name in found]
-    errors = [
-        np.mean([abs(found[name].values[k] - true[name]) for name in names])
-        for k in range(len(STEPS))
-    ]
-    order = np.polyfit(np.log([float(step) for step in STEPS]), np.log(errors), 1)[0]
-    assert order == pytest.approx(1, abs=0.25)
+def test_errors_fall_with_the_first_order_in_the_mean():
+    """Over all cuts of all runs: the error of each by itself jumps as the grid passes it."""
+    errors = []
+    for case in CASES:
+        found, true = values(*case), {f"rho {cut.path}": cut.rho for cut in limit(*case).cuts}
+        errors += [np.abs(np.array(found[n].values) - true[n]) for n in true if n in found]
+    mean = np.mean(errors, axis=0)
+    order = np.polyfit(np.log([float(step) for step in STEPS]), np.log(mean), 1)[0]
+    assert order == pytest.approx(1, abs=0.1)
 
 
 def test_a_line_is_met_exactly():

@@ -6,13 +6,14 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from bobbin_nets import bobbin_angle, bobbin_sector
 
 from discrete.branched_net import regular_star, surgery
 from discrete.curvature_energy import energies
 from discrete.net_frames import relative_frame
 from discrete.sector import Sector, amsler_sector
 from discrete.sl2_frames import distance_from_start
-from theory import bobbin_reference, painleve_float
+from theory import painleve_float
 
 LEVELS = (20, 40, 80, 160)
 LENGTH = 1.2
@@ -81,25 +82,6 @@ def test_the_curvature_of_a_sector_tends_to_that_of_its_far_corner():
         exact = math.tan(painleve_float.angle(math.pi / 2, z) / 2)
         errors.append(abs(math.tan(phi[k, k] / 2) - exact))
     assert is_second_order(errors)
-
-
-def bobbin_angle(kappa: int, xi: Fraction) -> float:
-    """Angle phi(u + v) of the bobbin's asymptotic lines: r_u + r_v = 2 s' on a meridian."""
-    s = float(bobbin_reference.arc_length(Fraction(kappa), xi, digits=20))
-    return 2 * math.acos(math.sqrt((kappa**2 - math.sinh(s) ** 2) / (kappa**2 + 1)))
-
-
-def bobbin_sector(kappa: int, side: Fraction, n: int) -> Sector:
-    """Net of the bobbin from a point of its throat: its lines turn by phi_u for each length."""
-    h = side / n
-    phi = [bobbin_angle(kappa, k * h) for k in range(n + 1)]
-    turns = [(phi[k + 1] - phi[k - 1]) / 2 for k in range(1, n)]
-    # The angle at the vertex of a quad is phi at its middle less a quarter of its area.
-    corner = phi[1] - float(h) ** 2 * math.sin(phi[0]) / 4
-    lengths = np.full(n, float(h))
-    return Sector(
-        u_lengths=lengths, v_lengths=lengths, corner_angle=corner, u_turns=turns, v_turns=turns
-    )
 
 
 @pytest.mark.parametrize("kappa", [1, 3])

@@ -363,22 +363,10 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed=r"$\exp(R - \sqrt{R})$ branch points",
-            corrected=(
-                "between $0.8$ and $1.1$ times $e^R$ on the surfaces of the greedy algorithm; what "
-                r"small free disks enforce by themselves is $\exp(R - 2\sqrt{R})$, up to constants"
-            ),
+            corrected=r"about $0.8\,e^R$ on the surfaces of the greedy algorithm",
             kind="false",
-            witness=(
-                r"$\phi_0 = \pi/2$, $\phi^* = 3\pi/4$: $2584$ branch points for $R = 8$, $368660$ "
-                r"for $R = 13$; $e^{R - \sqrt{R}}$ is $176$ and $12021$, the quotient grows from "
-                "$14.7$ to $30.7$"
-            ),
+            witness="as in (5.1.number-of-branch-points)",
             conclusion_survives=True,
-            remark=(
-                r"One branch point for each area of about $\pi$, as (rmk:distributed) asks, is "
-                r"$e^R$ too. The cut depth stays linear to leading order. Measured for $8 \leq R "
-                r"\leq 13$."
-            ),
         ),
     ),
 )

@@ -255,10 +255,6 @@ CLAIMS: tuple[Claim, ...] = (
                 "6 generations"
             ),
             conclusion_survives=False,
-            remark=(
-                "The number of generations grows like $1.3 R$ on these runs, $g$ like $R/\\log 3 "
-                "= 0.91 R$."
-            ),
         ),
     ),
 )

@@ -288,19 +288,10 @@ CLAIMS: tuple[Claim, ...] = (
         ),
         erratum=Erratum(
             printed="the pattern repeats itself on smaller and smaller scales",
-            corrected=(
-                "so in the Poincare disk, where circles about the centre have one size; on the "
-                "surface itself sister branch points are farther apart in the third generation of "
-                "parents than in the second, and later about as far"
-            ),
+            corrected="so in the Poincare disk, not on the surface itself",
             kind="ambiguous",
-            witness=(
-                "$R = 10$, $\\phi_0 = \\pi/4$, $\\phi^* = 4\\pi/5$: median distances of sisters on "
-                "the surface 0.81, 1.22, 1.73, 1.92, 1.97 for parents of generations 2 to 6; in "
-                "the disk each is less than the last, by a factor of 0.26 to 0.50 at first"
-            ),
+            witness="as in (abstract.fractal)",
             conclusion_survives=True,
-            remark="Measured on runs of the greedy algorithm; that they are optimal is not known.",
         ),
     ),
 )

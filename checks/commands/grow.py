@@ -82,7 +82,7 @@ def _grow_as_printed(run: Any, variant: str, files: Files, max_cuts: int) -> int
     if not result.terminated:
         click.echo(
             f"kminusone: undecided: the algorithm as printed, variant {variant}, did not end by "
-            f"step 25 but by: {result.run.end}",
+            f"step 25 but by: {result.run.end}, after {result.cuts} cuts",
             err=True,
         )
     return 0 if result.terminated else 4

@@ -10,6 +10,7 @@ import numpy as np
 from checks.errors import BadInput
 from checks.grow.bar import share_bar
 from checks.grow.printed_cover import PrintedCover, cover
+from checks.grow.summary import as_texts, centre, in_floats
 from checks.printed.greedy_algorithm import PrintedParameters, PrintedRun, printed_run
 from checks.printed.greedy_reading import VARIANTS
 from checks.printed.greedy_sector import PrintedSector, inside
@@ -35,6 +36,11 @@ class PrintedResult:
     def terminated(self) -> bool:
         """Whether the run ends as step 25 says."""
         return self.run.end == "step 25"
+
+    @property
+    def cuts(self) -> int:
+        """Number of cuts made."""
+        return sum(sector.cut is not None for sector in self.run.sectors)
 
 
 def require_variant(name: str) -> None:
@@ -79,12 +85,7 @@ def _angles(run: PrintedRun, sector: PrintedSector) -> Any:
 
 
 def _branch(result: PrintedResult) -> list[dict[str, Any]]:
-    radius, found = result.run.parameters.radius, []
-    if result.exact.sectors > 4:
-        found.append(
-            {"generation": 0, "path": "", "parent": None, "rho": 0.0, "theta": 0.0,
-             "angle": float(result.exact.phi0), "cut_angle": None, "distance_to_rim": radius}
-        )  # fmt: skip
+    radius, found = result.run.parameters.radius, centre(result.exact)
     for sector in result.run.sectors:
         if sector.cut is None:
             continue
@@ -111,10 +112,7 @@ def plain(result: PrintedResult) -> dict[str, Any]:
     if low and high:
         curvature = max(math.tan(high / 2), 1 / math.tan(low / 2))
     return {
-        "radius": float(exact.radius),
-        "phi0": float(exact.phi0),
-        "cutoff": float(exact.cutoff),
-        "step": float(exact.step),
+        **in_floats(exact),
         "sectors": len(run.sectors),
         "branch_points": len(branch),
         "generations": max((entry["generation"] for entry in branch), default=0),
@@ -127,12 +125,7 @@ def plain(result: PrintedResult) -> dict[str, Any]:
         "terminated": result.terminated,
         "seconds": round(result.seconds, 6),
         "branch": branch,
-        "exact": {
-            "radius": str(exact.radius),
-            "step": str(exact.step),
-            "phi0": str(exact.phi0),
-            "cutoff": str(exact.cutoff),
-        },
+        "exact": as_texts(exact),
         "variant": result.variant,
         "end": run.end,
         "uncovered": result.cover.uncovered,

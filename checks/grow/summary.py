@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from discrete.greedy_parameters import GreedyParameters
 from discrete.greedy_tree import BranchPoint, GreedyTree
 
 
@@ -14,10 +15,7 @@ def plain(tree: GreedyTree, seconds: float) -> dict[str, Any]:
     run = tree.parameters
     low, high, curvature = _extremes(tree)
     return {
-        "radius": float(run.radius),
-        "phi0": float(run.phi0),
-        "cutoff": float(run.cutoff),
-        "step": float(run.step),
+        **in_floats(run),
         "sectors": tree.sector_count,
         "branch_points": tree.branch_point_count,
         "generations": tree.generations,
@@ -30,12 +28,7 @@ def plain(tree: GreedyTree, seconds: float) -> dict[str, Any]:
         "terminated": tree.terminated,
         "seconds": round(seconds, 6),
         "branch": branch(tree),
-        "exact": {
-            "radius": str(run.radius),
-            "step": str(run.step),
-            "phi0": str(run.phi0),
-            "cutoff": str(run.cutoff),
-        },
+        "exact": as_texts(run),
     }
 
 
@@ -48,7 +41,22 @@ def _extremes(tree: GreedyTree) -> tuple[float | None, float | None, float | Non
 def branch(tree: GreedyTree) -> list[dict[str, Any]]:
     """Branch points of the whole disk, the centre first if more than four sectors meet there."""
     run = tree.parameters
-    centre = {
+    return centre(run) + [_entry(point) for point in tree.branch_points()]
+
+
+def in_floats(run: GreedyParameters) -> dict[str, float]:
+    """Parameters of a run, rounded."""
+    return {name: float(getattr(run, name)) for name in ("radius", "phi0", "cutoff", "step")}
+
+
+def as_texts(run: GreedyParameters) -> dict[str, str]:
+    """Parameters of a run, exact."""
+    return {name: str(getattr(run, name)) for name in ("radius", "step", "phi0", "cutoff")}
+
+
+def centre(run: GreedyParameters) -> list[dict[str, Any]]:
+    """Entry of the centre, which is a branch point where more than four sectors meet."""
+    entry = {
         "generation": 0,
         "path": "",
         "parent": None,
@@ -58,7 +66,7 @@ def branch(tree: GreedyTree) -> list[dict[str, Any]]:
         "cut_angle": None,
         "distance_to_rim": float(run.radius),
     }
-    return [centre] * (run.sectors > 4) + [_entry(point) for point in tree.branch_points()]
+    return [entry] * (run.sectors > 4)
 
 
 def _entry(point: BranchPoint) -> dict[str, Any]:

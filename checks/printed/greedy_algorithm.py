@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from checks.printed.disk_net import filled_disk
 from checks.printed.greedy_reading import Reading
 from checks.printed.greedy_sector import (
     Flags,
@@ -12,7 +13,6 @@ from checks.printed.greedy_sector import (
     cut_of,
     daughters,
     excised,
-    filled,
     printed_sector,
     ray,
     too_wide,
@@ -73,7 +73,7 @@ def initial_sectors(parameters: PrintedParameters, reading: Reading) -> list[Pri
         second = ray(edges, parameters.step, math.pi * n / m, (0.0, 0.0))
         found.append(
             printed_sector(
-                filled(first, second),
+                filled_disk(first, second),
                 radius=parameters.radius,
                 reading=reading,
                 parent=-1,

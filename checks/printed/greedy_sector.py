@@ -1,22 +1,18 @@
 """A sector Omega_n of the greedy algorithm as printed: axes, nodes, angles, cut (steps 4 to 17)."""
 
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from checks.printed import poincare_disk
+from checks.printed.disk_net import ARRAYS, filled_disk
 from checks.printed.greedy_reading import Reading
 
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
 Node = tuple[int, int]
-
-FIELD = SimpleNamespace(
-    sqrt=np.sqrt, tanh=np.tanh, cos=np.cos, sin=np.sin, atanh=np.arctanh, atan2=np.arctan2
-)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,21 +45,8 @@ class PrintedSector:
 
 def ray(edges: int, step: float, direction: float, start: tuple[float, float]) -> Floats:
     """Nodes (2, edges + 1) of a geodesic from `start` (eq:poincare-surgery), (item C)."""
-    from_origin = poincare_disk.on_ray(np.arange(edges + 1), step, direction, FIELD)
+    from_origin = poincare_disk.on_ray(np.arange(edges + 1), step, direction, ARRAYS)
     return np.stack(poincare_disk.moebius(from_origin, start))
-
-
-def filled(first: Floats, second: Floats) -> Floats:
-    """Nodes (2, n + 1, m + 1) between two axes by (poincare-ddg), along anti-diagonals."""
-    n, m = first.shape[1] - 1, second.shape[1] - 1
-    z = np.empty((2, n + 1, m + 1))
-    z[:, :, 0], z[:, 0, :] = first, second
-    for total in range(n + m - 1):
-        i = np.arange(max(0, total - m + 1), min(total, n - 1) + 1)
-        j = total - i
-        corners = (tuple(z[:, i, j]), tuple(z[:, i + 1, j]), tuple(z[:, i, j + 1]))
-        z[:, i + 1, j + 1] = poincare_disk.closed(*corners, FIELD)
-    return z
 
 
 def inside(zeta: Floats, radius: float) -> Flags:
@@ -93,7 +76,7 @@ def angles(zeta: Floats, kept: Flags, reading: Reading) -> Floats:
     """Angles of steps 8 and 22 at the nodes (n + 1, m + 1), NaN where they are not determined."""
     found = np.full(kept.shape, np.nan)
     corners = tuple(zeta[:, :-1, :-1]), tuple(zeta[:, 1:, :-1]), tuple(zeta[:, :-1, 1:])
-    value = poincare_disk.angle(*corners, FIELD)
+    value = poincare_disk.angle(*corners, ARRAYS)
     found[:-1, :-1] = np.where(
         kept[:-1, :-1] & kept[1:, :-1] & kept[:-1, 1:],
         value if reading.signed else np.abs(value),
@@ -156,7 +139,7 @@ def daughters(
     phi_1 = poincare_disk.trisecting(first, second, principal=reading.principal) * np.pi
     phi_2 = poincare_disk.trisecting(second, first, principal=reading.principal) * np.pi
     v_axis, u_axis = ray(edges, step, phi_1, start), ray(edges, step, phi_2, start)
-    return [filled(row, v_axis), filled(u_axis, v_axis), filled(u_axis, column)]
+    return [filled_disk(row, v_axis), filled_disk(u_axis, v_axis), filled_disk(u_axis, column)]
 
 
 def _leading(flags: Flags) -> int:

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 
 from checks.evidence import Evidence, Setting
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import distances, positions, tree_of
-from checks.verify.greedy_tree_shape import found
 from discrete.greedy_tree import LETTERS
 
 RUNS = (("8", "4", "3/4"), ("10", "8", "4/5"), ("10", "12", "4/5"), ("9", "12", "1/2"))

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from checks.evidence import Evidence, Setting
 from checks.searches.greedy_runs import SETS
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import TREE, tree_of
-from checks.verify.greedy_tree_shape import found
-from discrete.greedy_net import GreedyNet, greedy_net
+from checks.verify.quads_in_space import edges_of, space_angles
+from discrete.greedy_net import greedy_net
 from theory import periodic_amsler
 
 Array = NDArray[np.float64]
@@ -45,14 +46,6 @@ class Disk:
     closed: bool
 
 
-def _corner(net: GreedyNet, at: int) -> Array:
-    """Angle in space between the two edges of each quad at a corner."""
-    p = net.points[net.quads]
-    a, b = p[:, at - 1] - p[:, at], p[:, (at + 1) % 4] - p[:, at]
-    cross = np.linalg.norm(np.cross(a, b), axis=1)
-    return np.asarray(np.arctan2(cross, np.einsum("ij,ij->i", a, b)))
-
-
 def curvatures(angles: Array, *, smaller: bool = False) -> Array:
     """Larger, or smaller, of the two principal curvatures in size, from phi."""
     pair = np.stack([np.tan(angles / 2), 1 / np.tan(angles / 2)])
@@ -63,14 +56,13 @@ def curvatures(angles: Array, *, smaller: bool = False) -> Array:
 def disk(radius: str, sectors: str, cutoff: str, smaller: bool = False) -> Disk:
     """Net of a run, measured."""
     net = greedy_net(tree_of(radius, STEP, sectors, cutoff))
-    sides = np.concatenate([net.quads[:, [k, (k + 1) % 4]] for k in range(4)])
-    edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    edges, count = edges_of(net.quads)
     inner = np.ones(len(net.disk), dtype=bool)
     inner[edges[count == 1].ravel()] = False
     degree = np.bincount(edges.ravel(), minlength=len(net.disk))
     distance = 2 * np.arctanh(np.abs(net.disk))
     odd = np.flatnonzero(inner & (degree != 4))
-    angles = (_corner(net, 0) + np.pi - _corner(net, 1)) / 2
+    angles = (space_angles(net, 0) + np.pi - space_angles(net, 1)) / 2
     within = (distance[net.quads] <= float(Fraction(radius))).all(axis=1)
     return Disk(
         branched=tuple(sorted((float(distance[k]), int(degree[k])) for k in odd)),

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from checks.evidence import Evidence, Setting
 from checks.searches.greedy_runs import SETS
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import tree_of
-from checks.verify.greedy_tree_shape import found, limit_cuts, stale
+from checks.verify.greedy_tree_shape import limit_cuts, stale
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,6 @@
 import math
 from collections import Counter
 from fractions import Fraction
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy.typing as npt
 from checks.evidence import Evidence, Setting
 from checks.exact import combined, statement
 from checks.printed import amsler_disk, poincare_disk
+from checks.printed.disk_net import ARRAYS, filled_disk
 from discrete.branched_net import BranchedNet, Ray, geodesic_ray, star, surgery
 from discrete.complex_surgery import attached, restricted
 from discrete.errors import DiscreteError
@@ -24,40 +24,24 @@ from theory.quad_complex import interior_degrees
 from theory.quad_surgery import replaced, square_grid
 
 FloatArray = npt.NDArray[np.float64]
-_FIELD = SimpleNamespace(
-    sqrt=np.sqrt, tanh=np.tanh, cos=np.cos, sin=np.sin, atanh=np.arctanh, atan2=np.arctan2
-)
 _SIZE, _CUT = 6, 3
-
-
-def filled_disk(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Nodes (2, n + 1, m + 1) of the net in the disk by (poincare-ddg), along anti-diagonals."""
-    n, m = first.shape[1] - 1, second.shape[1] - 1
-    z = np.empty((2, n + 1, m + 1))
-    z[:, :, 0], z[:, 0, :] = first, second
-    for total in range(n + m - 1):
-        i = np.arange(max(0, total - m + 1), min(total, n - 1) + 1)
-        j = total - i
-        corners = (tuple(z[:, i, j]), tuple(z[:, i + 1, j]), tuple(z[:, i, j + 1]))
-        z[:, i + 1, j + 1] = poincare_disk.closed(*corners, _FIELD)
-    return z
 
 
 def disk_angles(z: FloatArray) -> FloatArray:
     """Angles at the nodes (n, m) by (eq:angle)."""
     corners = tuple(z[:, :-1, :-1]), tuple(z[:, 1:, :-1]), tuple(z[:, :-1, 1:])
-    return np.asarray(poincare_disk.angle(*corners, _FIELD))
+    return np.asarray(poincare_disk.angle(*corners, ARRAYS))
 
 
 def disk_radii(z: FloatArray) -> FloatArray:
     """Distances of the nodes from the origin by (eq:hyp_radius)."""
-    return np.asarray(poincare_disk.radius(np.hypot(z[0], z[1]), _FIELD))
+    return np.asarray(poincare_disk.radius(np.hypot(z[0], z[1]), ARRAYS))
 
 
 def amsler_disk_net(step: float, edges: int) -> FloatArray:
     """Nodes of a quadrant of the Amsler net with the angle pi/2, from the printed data."""
     k = np.arange(edges + 1)
-    first, second = amsler_disk.boundary_data(k, k, step, _FIELD)
+    first, second = amsler_disk.boundary_data(k, k, step, ARRAYS)
     return filled_disk(np.array(first), np.array(second))
 
 
@@ -80,7 +64,7 @@ def disk_daughter(
     part = poincare_disk.trisecting(
         beta[1], beta[0], weight=weight, divisor=divisor, principal=principal
     )
-    ray = poincare_disk.on_ray(np.arange(count + 1), step, float(part) * math.pi, _FIELD)
+    ray = poincare_disk.on_ray(np.arange(count + 1), step, float(part) * math.pi, ARRAYS)
     new = np.array(poincare_disk.moebius(ray, (centre[0], centre[1])))
     net = filled_disk(new, z[:, edges, edges : edges + count + 1])
     return disk_radii(net), disk_angles(net)
@@ -261,6 +245,6 @@ def _defect(net: BranchedNet) -> float:
             worst = max(worst, float(np.abs(gap).max()))
     for z in places:
         corners = tuple(z[:, :-1, :-1]), tuple(z[:, 1:, :-1]), tuple(z[:, :-1, 1:])
-        far = np.array(poincare_disk.closed(*corners, _FIELD))
+        far = np.array(poincare_disk.closed(*corners, ARRAYS))
         worst = max(worst, float(np.abs(far - z[:, 1:, 1:]).max()))
     return worst

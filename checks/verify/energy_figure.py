@@ -18,8 +18,9 @@ from scipy.optimize import minimize_scalar
 from checks.evidence import Evidence, Setting
 from checks.searches.greedy_runs import SETS
 from checks.stored import load
+from checks.verify.findings import findings as found
 from checks.verify.greedy_growth import energies, limit_sets
-from checks.verify.greedy_tree_shape import found, stale
+from checks.verify.greedy_tree_shape import stale
 from theory import bobbin, bobbin_values, periodic_amsler
 from theory.errors import SingularEdgeError
 

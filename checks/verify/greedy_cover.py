@@ -3,8 +3,8 @@
 from fractions import Fraction
 
 from checks.evidence import Evidence, Setting
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import tree_of
-from checks.verify.greedy_tree_shape import found
 from discrete.point_cover import point_cover
 
 #: Numbers of initial sectors and cutoffs in half turns.

@@ -12,9 +12,9 @@ from math import pi
 
 from checks.evidence import Evidence, Setting
 from checks.printed import greedy_dual as printed
+from checks.verify.findings import findings as found
 from checks.verify.greedy_dual_saddle_order import least_order
 from checks.verify.greedy_samples import tree_of
-from checks.verify.greedy_tree_shape import found
 from discrete.greedy_tree import GreedyTree
 
 #: Numbers of initial sectors and cutoffs in half turns.
@@ -75,7 +75,7 @@ def sectors(setting: Setting, *, by: str = "g", count: str = "all", shift: int =
         tried += 1
         exponent = _exponent(case, by)
         number = case.tree.sector_count - (_cuts(case.tree) if count == "uncut" else 0)
-        bound = 2 * Fraction(3) ** (exponent + shift) * case.half
+        bound = printed.most_sectors(exponent + shift, case.half)
         if number > bound:
             failures.append(f"{case.name}: {number} sectors, {by} = {exponent}, bound {bound}")
     return found(failures, shown=f"{tried} runs", tried=tried)
@@ -88,7 +88,7 @@ def least_angle(setting: Setting, *, by: str = "g", shift: int = 0) -> Evidence:
     for case in cases():
         tried += 1
         exponent = _exponent(case, by) + shift
-        bound = 3.0**-exponent * pi / case.half
+        bound = float(printed.least_angle(exponent, case.half, pi))
         if case.tree.min_angle < bound * (1 - 1e-12):
             failures.append(
                 f"{case.name}: an angle of {case.tree.min_angle:.5f}, {by} = "

@@ -9,8 +9,8 @@ from scipy.special import i0
 
 from checks.evidence import Evidence, Setting
 from checks.printed import cut_scaling as printed
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import OTHERS, PANELS, Array, Cuts, cuts_of, inverse_i0
-from checks.verify.greedy_tree_shape import found
 from theory import bessel
 
 STEPS = ("1/25", "1/50", "1/100")

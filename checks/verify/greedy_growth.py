@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from checks.evidence import Evidence, Setting
 from checks.searches.greedy_runs import SETS
 from checks.stored import load
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import tree_of
-from checks.verify.greedy_tree_shape import found, stale
+from checks.verify.greedy_tree_shape import stale
 from theory.greedy_limit import limit_path
 
 Array = NDArray[np.float64]

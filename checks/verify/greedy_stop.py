@@ -6,8 +6,8 @@ from math import pi
 import numpy as np
 
 from checks.evidence import Evidence, Setting
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import tree_of
-from checks.verify.greedy_tree_shape import found
 
 STEPS = ("1/25", "1/50", "1/100", "1/200")
 #: Radius, initial sectors, cutoff: runs whose number of cuts is one for all edge lengths.

@@ -11,6 +11,7 @@ import numpy as np
 
 from checks.evidence import Evidence, Setting
 from checks.stored import load
+from checks.verify.findings import findings as found
 from checks.verify.greedy_samples import TREE, distances, positions, tree_of
 from discrete.greedy_tree import GreedyTree
 from discrete.greedy_walk import walked
@@ -20,18 +21,6 @@ LARGEST = 10
 
 #: Largest turn in radians that is rounding.
 STRAIGHT = 1e-11
-
-
-def found(failures: list[str], *, shown: str, tried: int) -> Evidence:
-    """Evidence of an experiment: it fails where anything was found."""
-    return Evidence(
-        outcome="fail" if failures else "pass",
-        grade="experiment",
-        shown=shown,
-        tried=tried,
-        met=tried,
-        witness="; ".join(failures[:3]),
-    )
 
 
 def stale(*names: str) -> list[str]:

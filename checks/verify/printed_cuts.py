@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from checks.evidence import Evidence, Setting
+from checks.printed.disk_net import filled_disk
 from checks.printed.greedy_algorithm import PrintedRun, printed_run
 from checks.printed.greedy_reading import VARIANTS
 from checks.printed.greedy_sector import (
     cut_of,
-    filled,
     inside,
     printed_sector,
     too_wide,
@@ -179,7 +179,7 @@ def local_cut(setting: Setting, *, more: int = 0, variant: str = "nodes") -> Evi
         for sector, cut, _ in cut_sectors(run):
             tried += 1
             alone = printed_sector(
-                filled(sector.zeta[:, :, 0], sector.zeta[:, 0, :]),
+                filled_disk(sector.zeta[:, :, 0], sector.zeta[:, 0, :]),
                 radius=run.parameters.radius, reading=run.reading, parent=-1, path=sector.path,
             )  # fmt: skip
             arguments = {"radius": run.parameters.radius, "cutoff": run.parameters.cutoff}

@@ -7,8 +7,8 @@ import numpy as np
 
 from checks.evidence import Evidence, Setting
 from checks.printed import poincare_disk
+from checks.printed.disk_net import ARRAYS
 from checks.printed.greedy_sector import (
-    FIELD,
     inside,
 )
 from checks.verify.printed_runs import (
@@ -84,7 +84,7 @@ def rhombi(
         for sector in run.sectors[case[1] :]:
             z = sector.zeta
             corners = tuple(z[:, :-1, :-1]), tuple(z[:, 1:, :-1]), tuple(z[:, :-1, 1:])
-            fourth = poincare_disk.closed(*corners, FIELD, sign=sign, weight=weight)
+            fourth = poincare_disk.closed(*corners, ARRAYS, sign=sign, weight=weight)
             quads = sector.quads
             for neighbour in corners[1:]:
                 first = (fourth[0] + 1j * fourth[1])[quads]

@@ -13,6 +13,7 @@ from checks.printed.greedy_algorithm import PrintedRun
 from checks.printed.greedy_sector import PrintedSector, inside
 from checks.verify.printed_nodes import held_points
 from checks.verify.printed_runs import CASES, cut_sectors, found, node, place_of, run_of
+from checks.verify.quads_in_space import edges_of
 from discrete.point_cover import contained
 
 #: Random points of a disk.
@@ -109,13 +110,6 @@ def welded(run: PrintedRun, *, share: bool = True) -> npt.NDArray[np.int64]:
     ones = np.ones(len(pairs))
     graph = coo_matrix((ones, (pairs[:, 0], pairs[:, 1])), shape=(len(places), len(places)))
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64).reshape(-1, 4)
-
-
-def edges_of(quads: npt.NDArray[np.int64]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-    """Edges (E, 2) of quads, and the number of quads at each."""
-    sides = np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)])
-    edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
-    return edges, count
 
 
 def quadgraph(

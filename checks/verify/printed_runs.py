@@ -1,17 +1,16 @@
 """Runs of the printed greedy algorithm that its checks share, and what they say in common."""
 
 import math
-from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
-from checks.evidence import Evidence
 from checks.printed.greedy_algorithm import PrintedParameters, PrintedRun, printed_run
 from checks.printed.greedy_reading import VARIANTS
 from checks.printed.greedy_sector import Node, PrintedSector
+from checks.verify.findings import findings
 
 #: Radius, number of initial sectors, cutoff in half turns, edge length.
 Case = tuple[str, int, str, str]
@@ -63,13 +62,5 @@ def place_of(centre: complex, w: Any) -> Any:
     return (w + centre) / (1 + np.conj(centre) * w)
 
 
-def found(failures: Sequence[str], *, shown: str, tried: int) -> Evidence:
-    """Evidence at sampled parameters: it fails where anything was found."""
-    return Evidence(
-        outcome="fail" if failures else "pass" if tried else "undecided",
-        grade="numeric",
-        shown=shown,
-        tried=tried,
-        met=tried,
-        witness="; ".join(failures[:3]),
-    )
+#: Evidence at sampled parameters.
+found = partial(findings, grade="numeric")

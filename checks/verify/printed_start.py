@@ -8,10 +8,10 @@ import numpy.typing as npt
 
 from checks.evidence import Evidence, Setting
 from checks.printed import poincare_disk
+from checks.printed.disk_net import ARRAYS
 from checks.printed.greedy_algorithm import initial_sectors
 from checks.printed.greedy_reading import MEANT, VARIANTS
 from checks.printed.greedy_sector import (
-    FIELD,
     inside,
 )
 from checks.verify.printed_runs import CASES, found, parameters_of, run_of
@@ -114,7 +114,7 @@ def initial_cover(
 
 
 def _printed_axis(step: float, direction: float, rate: str) -> npt.NDArray[np.complex128]:
-    nodes = poincare_disk.on_ray(np.arange(13), step, direction, FIELD, rate=rate)
+    nodes = poincare_disk.on_ray(np.arange(13), step, direction, ARRAYS, rate=rate)
     return np.asarray(nodes[0] + 1j * nodes[1])
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from checks.evidence import Evidence, Setting
 from checks.verify.greedy_samples import tree_of
-from checks.verify.printed_result import edges_of
 from checks.verify.printed_runs import CASES, found
+from checks.verify.quads_in_space import edges_of, space_angles
 from discrete.greedy_net import GreedyNet, greedy_net
 
 #: Random points of a disk.
@@ -22,13 +22,6 @@ ONE_NODE = 1e-6
 def _net(case: tuple[str, int, str, str]) -> GreedyNet:
     radius, sectors, cutoff, step = case
     return greedy_net(tree_of(radius, step, str(sectors), cutoff))
-
-
-def _space_angles(net: GreedyNet, k: int) -> Any:
-    corners = net.points[net.quads]
-    a = corners[:, k - 1] - corners[:, k]
-    b = corners[:, (k + 1) % 4] - corners[:, k]
-    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
 
 
 def _disk_angles(net: GreedyNet, k: int) -> Any:
@@ -58,7 +51,7 @@ def surface(setting: Setting, *, lift: str = "0", scale: str = "1") -> Evidence:
             for end in (0, 1)
         )
         turn = max(
-            np.abs(_space_angles(net, k) - float(Fraction(scale)) * _disk_angles(net, k)).max()
+            np.abs(space_angles(net, k) - float(Fraction(scale)) * _disk_angles(net, k)).max()
             for k in range(4)
         )
         skew = _skewness(net)
@@ -96,7 +89,7 @@ def angle_sums(setting: Setting, *, turn: str = "1", boundary: str = "1") -> Evi
         net = _net(case)
         total = np.zeros(len(net.points))
         for k in range(4):
-            np.add.at(total, net.quads[:, k], _space_angles(net, k))
+            np.add.at(total, net.quads[:, k], space_angles(net, k))
         edges, count = edges_of(net.quads)
         inside_nodes = np.ones(len(total), dtype=np.bool_)
         inside_nodes[edges[count == 1].ravel()] = False
