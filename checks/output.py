@@ -1,13 +1,14 @@
 """Where results go: files that were found writable beforehand, or stdout."""
 
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import click
 
 from checks.errors import BadInput
-from checks.files import canonical_json, write_whole
+from checks.files import canonical_json, json_parts, write_parts
 
 STDOUT = "-"
 
@@ -36,20 +37,31 @@ def require_writable(name: str | None) -> None:
 
 def write_text(name: str, text: str) -> None:
     """Write text to the file whole, or to stdout; raises BadInput where that fails."""
-    if name == STDOUT:
-        click.echo(text, nl=False)
-        return
-    path = Path(name)
-    try:
-        if path.exists() and not path.is_file():
-            path.write_text(text, encoding="utf-8")
-        else:
-            write_whole(path.resolve(), text)
-    except OSError as error:
-        raise BadInput(f"cannot write {name}: {error.strerror or error}") from error
+    _write(name, [text])
 
 
 def write_json(name: str | None, data: Any) -> None:
     """Write data as JSON to the file or to stdout, or nowhere where there is no name."""
     if name is not None:
         write_text(name, canonical_json(data))
+
+
+def write_long_json(name: str, data: dict[str, Any]) -> None:
+    """Write data, some of it iterators of many entries, as `write_json` does, but in parts."""
+    _write(name, json_parts(data))
+
+
+def _write(name: str, parts: Iterable[str]) -> None:
+    if name == STDOUT:
+        for part in parts:
+            click.echo(part, nl=False)
+        return
+    path = Path(name)
+    try:
+        if path.exists() and not path.is_file():
+            with path.open("w", encoding="utf-8") as stream:
+                stream.writelines(parts)
+        else:
+            write_parts(path.resolve(), parts)
+    except OSError as error:
+        raise BadInput(f"cannot write {name}: {error.strerror or error}") from error

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from checks.errors import BadInput, Interrupted
-from checks.output import STDOUT, require_writable, write_json
+from checks.output import STDOUT, require_writable, write_long_json
 
 #: Most vertices of a net that is built: about 5 GB of arrays.
 MOST_VERTICES = 2 * 10**7
@@ -59,7 +59,7 @@ class Files:
             _require_few(tree.parameters, float(quads.sum()))
         written: list[str] = []
         writers: list[tuple[str | None, Callable[[str], None]]] = [
-            (self.json, lambda name: write_json(name, data)),
+            (self.json, lambda name: write_long_json(name, data)),
             (self.net, lambda name: _write_net(name, tree)),
             (self.picture, lambda name: _write_picture(name, tree)),
         ]

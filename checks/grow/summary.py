@@ -1,6 +1,7 @@
 """What a run of the greedy algorithm found, as plain data and as a table."""
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 from discrete.greedy_parameters import GreedyParameters
@@ -10,7 +11,8 @@ from discrete.greedy_tree import BranchPoint, GreedyTree
 def plain(tree: GreedyTree, seconds: float) -> dict[str, Any]:
     """Data of a run for the whole disk; seconds: of computing, with kernels that are warm.
 
-    The extremes of the angle are null where a partial tree keeps no vertex at all.
+    The extremes of the angle are null where a partial tree keeps no vertex at all. The branch
+    points are an iterator: there may be millions.
     """
     run = tree.parameters
     low, high, curvature = _extremes(tree)
@@ -38,10 +40,10 @@ def _extremes(tree: GreedyTree) -> tuple[float | None, float | None, float | Non
     return tree.min_angle, tree.max_angle, tree.max_curvature
 
 
-def branch(tree: GreedyTree) -> list[dict[str, Any]]:
+def branch(tree: GreedyTree) -> Iterator[dict[str, Any]]:
     """Branch points of the whole disk, the centre first if more than four sectors meet there."""
-    run = tree.parameters
-    return centre(run) + [_entry(point) for point in tree.branch_points()]
+    yield from centre(tree.parameters)
+    yield from map(_entry, tree.branch_points())
 
 
 def in_floats(run: GreedyParameters) -> dict[str, float]:
