@@ -10,6 +10,7 @@ from bobbin_nets import bobbin_angle, bobbin_sector
 
 from discrete.branched_net import regular_star, surgery
 from discrete.curvature_energy import energies
+from discrete.k_surface import k_surface
 from discrete.net_frames import relative_frame
 from discrete.sector import Sector, amsler_sector
 from discrete.sl2_frames import distance_from_start
@@ -125,3 +126,33 @@ def test_after_surgery_area_and_willmore_energy_have_expansions_in_the_edge_leng
         values = np.array([getattr(energy, name) for energy in found])
         extrapolated = 2 * values[1:] - values[:-1]
         assert is_second_order(np.abs(np.diff(extrapolated)).tolist())
+
+
+def steps_between(places):
+    """Distances in space from each level to the next; places: arrays (points, 3), by level."""
+    return np.linalg.norm(np.diff(places, axis=0), axis=2).T
+
+
+@pytest.mark.parametrize("m", [2, 3, 6])
+def test_points_in_space_of_amsler_stars_converge_with_the_second_order(m):
+    places = []
+    for n in (*LEVELS, 2 * LEVELS[-1]):
+        net = regular_star(m, edge_length=1 / n, edges=n)
+        here = [net.places[number][3 * n // 4, n // 2] for number in (0, 1)]
+        places.append(k_surface(net).points[here])
+    for errors in steps_between(places):
+        assert len(errors) == 4
+        assert is_second_order(errors)
+
+
+def test_points_in_space_after_surgery_have_expansions_in_the_edge_length():
+    # The daughters turn with the angle cut out, so with the first order, as the energies do.
+    places = []
+    for n in (12, 24, 48, 96, 192, 384):
+        net = surgery(regular_star(2, edge_length=0.9 / n, edges=n), 0, (n // 2, n // 2))
+        daughters = net.places[-3:]
+        places.append(k_surface(net).points[[place[n // 4, n // 3] for place in daughters]])
+    levels = np.array(places)
+    for errors in steps_between(2 * levels[1:] - levels[:-1]):
+        assert len(errors) == 4
+        assert is_second_order(errors)
