@@ -5,6 +5,13 @@ from checks.claim import Check, Claim, Erratum, Mutant
 _ORDER = "checks.verify.greedy_dual_saddle_order:"
 _GENERATIONS = "checks.verify.greedy_dual_generations:"
 
+#: How m_0 is read from item (1) on: the reading in which most of what is said of g holds.
+NEEDED = (
+    r"(read so) $m_0$ is the least order that keeps $\varphi \leq \phi^*$ in the disk, as the "
+    r"algorithm does; where it only keeps $\varphi < \pi$, $g$ is at most as large, and the bounds "
+    "by $g$ fail from smaller $R$ on"
+)
+
 CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="4.1.periodic-amsler",
@@ -105,7 +112,8 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             (
                 "(used, not stated) $m_0$ is the least $m$ for which Amsler sectors of angle "
-                r"$\pi/m$ cover the disk of radius $R$ without a singular edge"
+                r"$\pi/m$ cover the disk of radius $R$ without a singular edge, or as well the "
+                r"least for which $\varphi \leq \phi^*$ there"
             ),
             (
                 r"(used, not stated) $\sim$ means that the quotient tends to $1$ or at least "
@@ -132,6 +140,17 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(
                     Mutant(name="R^(-2/5)", given={"power": "-2/5"}, near=True),
                     Mutant(name="R^(-3/5)", given={"power": "-3/5"}, near=True),
+                    Mutant(name="as printed", given={"power": "0"}),
+                ),
+            ),
+            Check(
+                name="with 1/sqrt(R), phi <= pi/2 in the disk",
+                run=_ORDER + "scale",
+                form="corrected",
+                given={"power": "-1/2", "level": "1/2"},
+                routes=("R^(-1/2) e^R", "length of the mirror line up to phi = pi/2 (mpmath)"),
+                mutants=(
+                    Mutant(name="R^(-2/5)", given={"power": "-2/5"}, near=True),
                     Mutant(name="as printed", given={"power": "0"}),
                 ),
             ),
@@ -212,13 +231,17 @@ CLAIMS: tuple[Claim, ...] = (
             "$g$ is the number of generations of branch points to be expected, the cut depth of "
             r"section 5.1; as $m_0 \sim C e^R$ it grows like $R / \log 3$."
         ),
+        hypotheses=(NEEDED,),
         rests_on=("4.1.dual-1-generations",),
         checks=(
             Check(
                 name="runs",
                 run="checks.verify.greedy_dual_result:depth",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
-                mutants=(Mutant(name="g + 1", given={"more": 1}, near=True),),
+                mutants=(
+                    Mutant(name="g + 1", given={"more": 1}, near=True),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
+                ),
             ),
             Check(
                 name="at least g",
@@ -250,9 +273,10 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="false",
             witness=(
-                "$R = 4$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $m_0 = 18$ "
-                "and $g = 1$, while the greedy algorithm has 2 generations; $R = 7$: $g = 4$ and "
-                "6 generations"
+                "$m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: at $R = 5$ the order "
+                "$m_0 = 61$ keeps $\\varphi \\leq \\phi^*$, so that $g = 3$, while the greedy "
+                "algorithm has 4 generations; at $R = 7$, $g = 4$, also where $m_0$ only keeps "
+                "$\\varphi < \\pi$, and there are 6 generations"
             ),
             conclusion_survives=False,
         ),

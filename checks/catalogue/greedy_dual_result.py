@@ -1,5 +1,6 @@
 """Claims of section 4.1, the dual of the greedy algorithm: its result, item 6, and termination."""
 
+from checks.catalogue.greedy_dual import NEEDED
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _ORDER = "checks.verify.greedy_dual_saddle_order:"
@@ -25,14 +26,17 @@ CLAIMS: tuple[Claim, ...] = (
             "The greedy algorithm and the dual, which starts from the periodic Amsler surface on "
             "the disk of radius $R$ and moves branch points outward, have the same result."
         ),
-        hypotheses=(_MONO,),
+        hypotheses=(_MONO, NEEDED),
         rests_on=("4.1.dual-5-monotone", "4.1.dual-2-same-cut"),
         checks=(
             Check(
                 name="number of branch points",
                 run="checks.verify.greedy_dual_result:branch_points",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
-                mutants=(Mutant(name="g - 1", given={"shift": -1}, near=True),),
+                mutants=(
+                    Mutant(name="g - 1", given={"shift": -1}, near=True),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
+                ),
             ),
             Check(
                 name="n in place of g",
@@ -42,7 +46,7 @@ CLAIMS: tuple[Claim, ...] = (
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
                     Mutant(name="n - 1", given={"shift": -1}, near=True),
-                    Mutant(name="g", given={"by": "g"}),
+                    Mutant(name="g", given={"by": "cutoff"}),
                 ),
             ),
         ),
@@ -53,15 +57,11 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="false",
             witness=(
-                "$R = 4$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $m_0 = 18$ "
-                "and $g = 1$, while the greedy algorithm makes 36 branch points beside the "
-                "origin: no more than $m(3^g - 1) = 12$ can be moved out of it"
+                "$R = 5$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$: $m_0 = 61$ keeps $\\varphi "
+                "\\leq \\phi^*$, so that $g = 3$ and no more than $m(3^g - 1) = 156$ branch points "
+                "can be moved out of the origin, while the greedy algorithm makes 168 beside it"
             ),
             conclusion_survives=False,
-            remark=(
-                "The single branch point needs only $\\varphi < \\pi$, the greedy algorithm "
-                "keeps $\\varphi \\leq \\phi^*$ and so makes more."
-            ),
         ),
     ),
     Claim(
@@ -157,6 +157,7 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _MONO,
             _DUAL,
+            NEEDED,
             (
                 "(used, not stated) only sectors that were never cut are counted: the count $M$ "
                 "of step 24 keeps those that were cut"
@@ -165,23 +166,25 @@ CLAIMS: tuple[Claim, ...] = (
         rests_on=("4.1.dual-6-termination", "4.1.algorithm-24-count", "4.1.dual-1-generations"),
         checks=(
             Check(
-                name="M of step 24",
+                name="sectors never cut",
                 run="checks.verify.greedy_dual_result:sectors",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
-                mutants=(Mutant(name="g - 1", given={"shift": -1}, near=True),),
+                mutants=(
+                    Mutant(name="g - 1", given={"shift": -1}, near=True),
+                    Mutant(name="M of step 24", given={"count": "all"}),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
+                ),
             ),
             Check(
                 name="sectors never cut, n in place of g",
                 run="checks.verify.greedy_dual_result:sectors",
                 form="corrected",
-                given={"by": "n", "count": "uncut"},
+                given={"by": "n"},
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
-                    Mutant(
-                        name="n - 1", given={"by": "n", "count": "uncut", "shift": -1}, near=True
-                    ),
+                    Mutant(name="n - 1", given={"shift": -1}, near=True),
                     Mutant(name="all sectors", given={"count": "all"}),
-                    Mutant(name="g", given={"by": "g"}),
+                    Mutant(name="g", given={"by": "cutoff"}),
                 ),
             ),
         ),
@@ -193,9 +196,9 @@ CLAIMS: tuple[Claim, ...] = (
             ),
             kind="false",
             witness=(
-                "$R = 4$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $m_0 = 18$ "
-                "and $g = 1$, while the greedy algorithm ends with $M = 120$ sectors, 84 of "
-                "which were never cut, and $2 \\cdot 3^g m = 36$"
+                "$R = 7$, $m = 6$, $\\phi^* = \\pi/2$, edges of $1/50$ or $1/100$: $g = 4$, also "
+                "where $m_0$ only keeps $\\varphi < \\pi$, and $2 \\cdot 3^g m = 972$, while the "
+                "greedy algorithm ends with $M = 3576$ sectors, 2388 of which were never cut"
             ),
             conclusion_survives=False,
         ),
@@ -230,9 +233,10 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             _MONO,
             _DUAL,
+            NEEDED,
             (
-                r"(used, not stated) there are at most $g$ generations, and $\varphi$ does not "
-                "decrease away from a branch point"
+                "(read so) on the radii looked at, up to 7: the reason given, at most $g$ "
+                r"generations, fails at $R = 4$, $\phi^* = 2\pi/5$ already"
             ),
         ),
         rests_on=("4.1.dual-6-termination", "5.1.monotone"),
@@ -241,29 +245,22 @@ CLAIMS: tuple[Claim, ...] = (
                 name="runs",
                 run="checks.verify.greedy_dual_result:least_angle",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
-                mutants=(Mutant(name="g - 1", given={"shift": -1}, near=True),),
+                mutants=(
+                    Mutant(name="g - 1", given={"shift": -1}, near=True),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
+                ),
             ),
             Check(
                 name="n in place of g",
                 run="checks.verify.greedy_dual_result:least_angle",
-                form="corrected",
+                form="support",
                 given={"by": "n"},
-                routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
+                routes=("runs of discrete.greedy", "3^-n pi/m, n by the tree of the run"),
                 mutants=(
                     Mutant(name="n - 1", given={"shift": -1}, near=True),
-                    Mutant(name="g", given={"by": "g"}),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
                 ),
             ),
-        ),
-        erratum=Erratum(
-            printed="$\\varphi \\geq 3^{-g} \\pi/m$",
-            corrected="$\\varphi \\geq 3^{-n} \\pi/m$, $n$ the number of generations",
-            kind="false",
-            witness=(
-                "$R = 4$, $m = 6$, $\\phi^* = 2\\pi/5$, edges of $1/100$: $g = 1$, and an angle "
-                "of $0.1286 < \\pi/18 = 0.1745$"
-            ),
-            conclusion_survives=False,
         ),
     ),
     Claim(
@@ -272,7 +269,12 @@ CLAIMS: tuple[Claim, ...] = (
         where="section 4.1, dual interpretation, item (6), line 1415",
         kind="item",
         statement=r"$\mathcal{E}_\infty < C\, 3^g m$ with a constant $C$ independent of $R$.",
-        hypotheses=(_MONO, _DUAL, r"(used, not stated) $C$ may depend on $\phi^*$"),
+        hypotheses=(
+            _MONO,
+            _DUAL,
+            r"(used, not stated) $C$ may depend on $\phi^*$",
+            "(read so) on the radii looked at, up to 7",
+        ),
         rests_on=("4.1.dual-6-smallest-angle", "ebound"),
         checks=(
             Check(

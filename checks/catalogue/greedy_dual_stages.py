@@ -1,5 +1,6 @@
 """Claims of section 4.1, the dual of the greedy algorithm: its stages, items 2 to 4."""
 
+from checks.catalogue.greedy_dual import NEEDED
 from checks.claim import Check, Claim, Erratum, Mutant
 
 _GENERATIONS = "checks.verify.greedy_dual_generations:"
@@ -268,11 +269,12 @@ CLAIMS: tuple[Claim, ...] = (
         statement="At every stage the sectors together cover the whole disk.",
         hypotheses=(
             _DUAL,
+            NEEDED,
             "(used, not stated) no sector develops a singular edge inside the disk on the way",
         ),
         checks=(
             Check(
-                name="first stage",
+                name="first stage, R = 5",
                 run="checks.verify.greedy_dual_stages:stage_one",
                 routes=(
                     "angles of nets of two edge lengths",
@@ -281,33 +283,33 @@ CLAIMS: tuple[Claim, ...] = (
                 mutants=(Mutant(name="phi* = 2 pi/5", given={"cutoff": "2/5"}, near=True),),
             ),
             Check(
-                name="m = 8, R = 4",
+                name="first stage, R = 4",
                 run="checks.verify.greedy_dual_stages:stage_one",
                 form="corrected",
-                given={"half": 8},
+                given={"radius": "4"},
                 routes=(
                     "angles of nets of two edge lengths",
                     "distances by SL(2, R) frames",
                 ),
                 mutants=(
-                    Mutant(name="R = 5", given={"half": 8, "radius": "5"}, near=True),
-                    Mutant(name="m = 6", given={"half": 6}),
-                    Mutant(name="phi < 4 pi/5", given={"half": 8, "level": "4/5"}),
+                    Mutant(name="R = 5", given={"radius": "5"}, near=True),
+                    Mutant(name="m_0 for phi < pi", given={"by": "edge"}),
+                    Mutant(name="phi < 3 pi/5", given={"level": "3/5"}),
                 ),
             ),
         ),
         erratum=Erratum(
             printed="the sectors cover the disk at every stage",
             corrected=(
-                "they do while none of them has a singular edge inside the disk, as for $m = 8$, "
-                "$R = 4$; the sectors beside the lines of the parent may have one at the first "
-                "stage already"
+                "they do while none of them has a singular edge inside the disk, as for $m = 6$, "
+                "$R = 4$ where $m_0$ keeps $\\varphi \\leq \\phi^*$; the sectors beside the lines "
+                "of the parent may have one at the first stage already"
             ),
             kind="hypothesis",
             witness=(
-                r"$R = 4$, $m = 6$, $\phi^* = \pi/2$, $g = 1$: in the outer sectors of the first "
-                r"generation, of opening a third of the cut angle, $\varphi$ passes $\pi$ at the "
-                "distance $3.8$ from the origin"
+                r"$R = 5$, $m = 6$, $\phi^* = \pi/2$, $g = 3$: in the outer sectors of the first "
+                r"generation $\varphi$ passes $\pi$ at the distance $4.5$ from the origin; where "
+                r"$m_0$ keeps only $\varphi < \pi$, already at $R = 4$, $g = 1$, at $3.8$"
             ),
             conclusion_survives=False,
             remark="$m_0$ makes the central sectors narrow enough, not those beside curved lines.",

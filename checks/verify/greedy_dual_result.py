@@ -1,7 +1,8 @@
 """Section 4.1, items 1 and 6: sectors, least angles and depths of runs against g.
 
-The runs meet m >= 6, phi* <= pi/2. g is fixed by m_0, the order that one branch point needs; the
-corrected forms have n in its place, the number of generations of the run.
+The runs meet m >= 6, phi* <= pi/2. g is fixed by m_0, the order that one branch point needs, which
+can be read in two ways: `edge`, that phi < pi in the disk, or `cutoff`, that phi <= phi* there as
+the greedy algorithm has it. Corrected forms have n in place of g, the generations of the run.
 """
 
 from collections.abc import Iterator
@@ -25,18 +26,25 @@ STEPS = ("1/50", "1/100")
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A run with its name, m, and g by m_0."""
+    """A run with its name, m, its radius, and phi* in units of pi."""
 
     name: str
     half: int
-    g: int
+    radius: str
+    cutoff: str
     tree: GreedyTree
+
+    def exponent(self, by: str) -> int:
+        """The exponent g for m_0 by `edge` or `cutoff`; by `n`, the generations of the run."""
+        if by == "n":
+            return self.tree.generations
+        return generations_expected(self.radius, self.half, "1" if by == "edge" else self.cutoff)
 
 
 @cache
-def generations_expected(radius: str, half: int) -> int:
-    """The g of item (1): 3^(g-1) m < m_0 <= 3^g m."""
-    needed = least_order(Fraction(radius))
+def generations_expected(radius: str, half: int, level: str = "1") -> int:
+    """The g of item (1), 3^(g-1) m < m_0 <= 3^g m, where m_0 keeps phi below level pi."""
+    needed = least_order(Fraction(radius), Fraction(level))
     return next(g for g in range(-3, 20) if printed.is_generations(g, half, needed))
 
 
@@ -51,87 +59,92 @@ def cases() -> Iterator[Case]:
                     yield Case(
                         name=f"R = {radius}, m = {half}, phi* = {cutoff} pi, edges {step}",
                         half=half,
-                        g=generations_expected(radius, half),
+                        radius=radius,
+                        cutoff=cutoff,
                         tree=tree,
                     )
 
 
-def _exponent(case: Case, by: str) -> int:
-    return case.g if by == "g" else case.tree.generations
+def _told(by: str) -> str:
+    return "n" if by == "n" else "g"
 
 
 def _cuts(tree: GreedyTree) -> int:
     return int(tree.sectors["copies"][tree.sectors["cut"]].sum())
 
 
-def sectors(setting: Setting, *, by: str = "g", count: str = "all", shift: int = 0) -> Evidence:
+def sectors(
+    setting: Setting, *, by: str = "cutoff", count: str = "uncut", shift: int = 0
+) -> Evidence:
     """Whether the number of sectors is at most 2 3^(exponent + shift) m.
 
-    by: g, or n; count: all as in step 24, or those that were never cut.
+    by: which exponent; count: all as in step 24, or those that were never cut.
     """
     del setting
     failures, tried = [], 0
     for case in cases():
         tried += 1
-        exponent = _exponent(case, by)
+        exponent = case.exponent(by)
         number = case.tree.sector_count - (_cuts(case.tree) if count == "uncut" else 0)
         bound = printed.most_sectors(exponent + shift, case.half)
         if number > bound:
-            failures.append(f"{case.name}: {number} sectors, {by} = {exponent}, bound {bound}")
+            failures.append(
+                f"{case.name}: {number} sectors, {_told(by)} = {exponent}, bound {bound}"
+            )
     return found(failures, shown=f"{tried} runs", tried=tried)
 
 
-def least_angle(setting: Setting, *, by: str = "g", shift: int = 0) -> Evidence:
+def least_angle(setting: Setting, *, by: str = "cutoff", shift: int = 0) -> Evidence:
     """Whether the least angle is at least 3^-(exponent + shift) pi/m."""
     del setting
     failures, tried = [], 0
     for case in cases():
         tried += 1
-        exponent = _exponent(case, by) + shift
+        exponent = case.exponent(by) + shift
         bound = float(printed.least_angle(exponent, case.half, pi))
         if case.tree.min_angle < bound * (1 - 1e-12):
             failures.append(
-                f"{case.name}: an angle of {case.tree.min_angle:.5f}, {by} = "
-                f"{_exponent(case, by)}, bound {bound:.5f}"
+                f"{case.name}: an angle of {case.tree.min_angle:.5f}, {_told(by)} = "
+                f"{case.exponent(by)}, bound {bound:.5f}"
             )
     return found(failures, shown=f"{tried} runs", tried=tried)
 
 
-def branch_points(setting: Setting, *, by: str = "g", shift: int = 0) -> Evidence:
+def branch_points(setting: Setting, *, by: str = "cutoff", shift: int = 0) -> Evidence:
     """Whether there are no more than the m (3^exponent - 1) branch points that move outward."""
     del setting
     failures, tried = [], 0
     for case in cases():
         tried += 1
-        exponent = _exponent(case, by) + shift
+        exponent = case.exponent(by) + shift
         most = case.half * (Fraction(3) ** exponent - 1)
         if _cuts(case.tree) > most:
             failures.append(
-                f"{case.name}: {_cuts(case.tree)} branch points beside the origin, {by} = "
-                f"{_exponent(case, by)}, at most {most} move"
+                f"{case.name}: {_cuts(case.tree)} branch points beside the origin, {_told(by)} = "
+                f"{case.exponent(by)}, at most {most} move"
             )
     return found(failures, shown=f"{tried} runs", tried=tried)
 
 
-def depth(setting: Setting, *, more: int = 0, exactly: bool = True) -> Evidence:
+def depth(setting: Setting, *, by: str = "cutoff", more: int = 0, exactly: bool = True) -> Evidence:
     """Whether each run has g + more generations; exactly: or else at least as many."""
     del setting
     failures, tried = [], 0
     for case in cases():
         tried += 1
-        n, wanted = case.tree.generations, case.g + more
+        n, wanted = case.tree.generations, case.exponent(by) + more
         if n < wanted or (exactly and n != wanted):
-            failures.append(f"{case.name}: {n} generations, g = {case.g}")
+            failures.append(f"{case.name}: {n} generations, g = {case.exponent(by)}")
     return found(failures, shown=f"{tried} runs", tried=tried)
 
 
 def energy(setting: Setting, *, constant: str = "11/10") -> Evidence:
-    """Whether E_inf < constant 3^g m on the runs."""
+    """Whether E_inf < constant 3^g m on the runs; g by `edge`, the smaller of the two."""
     del setting
     failures, tried, largest = [], 0, 0.0
     for case in cases():
         tried += 1
-        ratio = case.tree.max_curvature / (3.0**case.g * case.half)
+        ratio = case.tree.max_curvature / (3.0 ** case.exponent("edge") * case.half)
         largest = max(largest, ratio)
         if ratio >= float(Fraction(constant)):
             failures.append(f"{case.name}: E_inf = {ratio:.4f} 3^g m")

@@ -1,12 +1,13 @@
 """Section 4.1, before item 1: the order m_0 that one branch point at the centre of a disk needs.
 
-m_0(R) is the least m whose Amsler sectors of angle pi/m have their singular edge farther than R.
-For real m that distance is the length of the mirror line up to phi = pi, so that m is a function of
-R by way of phi_0 = pi/m. While phi <= pi/2 the least m >= 2 I_0(R + 7/20) does, for R >= 1
-(theory.periodic_amsler_bounds).
+The paper leaves open what is needed: m_0(R) is the least m whose Amsler sectors of angle pi/m have
+their singular edge farther than R (level 1), or the least for which the angle is at most phi* =
+level pi in the disk. For real m the distance up to which the angle is below level pi is the length
+of the mirror line, so that m is a function of R by way of phi_0 = pi/m. While phi <= pi/2 the least
+m >= 2 I_0(R + 7/20) does, for R >= 1 (theory.periodic_amsler_bounds).
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -24,33 +25,40 @@ from checks.verify.initial_angles import fraction
 from theory import painleve_reference, periodic_amsler
 from theory.errors import SingularEdgeError
 
-#: phi_0 = 10^-j; the edge is then 12, 22, 40, 77 and 151 away.
+#: phi_0 = 10^-j; the edge is then 12, 22, 40, 77 and 151 away, and phi = pi/2 about 1 nearer.
 _EXPONENTS = (4, 8, 16, 32, 64)
 _RADII = (Fraction(1, 2), Fraction(1), Fraction(2), Fraction(3), Fraction(5), Fraction(10))
 
 
 @cache
-def _edge(exponent: int) -> Any:
-    """Distance of the singular edge for phi_0 = 10^-exponent; mpf, 20 digits."""
+def _edge(exponent: int, level: Fraction) -> Any:
+    """Distance of phi = level pi, the edge at level 1, for phi_0 = 10^-exponent; mpf, 20 digits."""
     with mp.workdps(40 + exponent):
         corner = mp.mpf(10) ** -exponent
-        place = painleve_reference.crossing(corner, lambda: mp.pi, digits=25)
-        # The integrand cos(phi/2) is 0 there: the last 1e-30 of the way adds nothing.
+        place = painleve_reference.crossing(corner, _angle(level), digits=25)
+        # The integrand cos(phi/2) is 0 at the edge: the last 1e-30 of the way adds nothing.
         return +painleve_reference.diagonal(corner, place * (1 - mp.mpf(10) ** -30), digits=20)
 
 
-def orders() -> list[tuple[Any, Any]]:
-    """Pairs of R and the real m whose edge is at that distance; mpf."""
-    return [(_edge(j), mp.pi * mp.mpf(10) ** j) for j in _EXPONENTS]
+def _angle(level: Fraction) -> Callable[[], Any]:
+    return lambda: mp.pi * level.numerator / level.denominator
 
 
-def least_order(radius: Fraction) -> int:
-    """Least m >= 2 with the edge farther than R, by mpmath."""
+def orders(level: str = "1") -> list[tuple[Any, Any]]:
+    """Pairs of R and the real m whose angle reaches level pi at that distance; mpf."""
+    return [(_edge(j, Fraction(level)), mp.pi * mp.mpf(10) ** j) for j in _EXPONENTS]
+
+
+@cache
+def least_order(radius: Fraction, level: Fraction = Fraction(1)) -> int:
+    """Least m >= 2 whose angle reaches level pi farther out than R, by mpmath."""
 
     def reaches(m: int) -> bool:
+        if Fraction(1, m) >= level:
+            return False
         with mp.workdps(30):
             corner = mp.pi / m
-            place = painleve_reference.crossing(corner, lambda: mp.pi, digits=20)
+            place = painleve_reference.crossing(corner, _angle(level), digits=20)
             far = painleve_reference.diagonal(corner, place * (1 - mp.mpf(10) ** -20), digits=12)
             return bool(far > mp.mpf(radius.numerator) / radius.denominator)
 
@@ -89,19 +97,20 @@ def exists(setting: Setting, *, offset: int = 0) -> Evidence:
     )
 
 
-def scale(setting: Setting, *, power: str = "0") -> Evidence:
-    """Order in R of (m_0/(e^R R^power))^2, which is 0 where m_0 ~ C e^R R^power; R from 12 to 151.
+def scale(setting: Setting, *, power: str = "0", level: str = "1") -> Evidence:
+    """Order in R of (m_0/(e^R R^power))^2, which is 0 where m_0 ~ C e^R R^power; R up to 151.
 
     The square, so that the tolerance 0.1 of an order means 0.05 in the power.
     """
     del setting
     with mp.workdps(30):
-        pairs = orders()
+        pairs = orders(level)
         values = [(m / printed.saddle_order_scale(r, mp.exp, power=power)) ** 2 for r, m in pairs]
         roots = ", ".join(mp.nstr(mp.sqrt(v), 5) for v in values)
+        radii = ", ".join(f"{float(r):.0f}" for r, _ in pairs)
         return observed_order(
             [r for r, _ in pairs], values, 0, digits=15,
-            shown=f"m_0 e^-R R^-({power}) at R = 12, 22, 40, 77, 151 is {roots}",
+            shown=f"m_0 e^-R R^-({power}) at R = {radii} is {roots}",
         )  # fmt: skip
 
 

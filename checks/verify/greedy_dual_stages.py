@@ -50,12 +50,15 @@ def reached(near: Flags, angles: npt.NDArray[np.float64]) -> Flags:
     return kept
 
 
-def widest(radius: str, half: int, cutoff: str, step: str) -> tuple[float, float]:
-    """Largest angle in the disk at the first stage, and the distance of the first beyond pi."""
+def widest(radius: str, half: int, cutoff: str, step: str, by: str) -> tuple[float, float]:
+    """Largest angle in the disk at the first stage, and the distance of the first beyond pi.
+
+    by: what m_0 keeps in the disk, phi < pi (`edge`) or phi <= phi* (`cutoff`).
+    """
     tree = tree_of(radius, step, str(2 * half), cutoff)
     cut = (int(tree.sectors[0]["i_cut"]), int(tree.sectors[0]["k_cut"]))
     edges = ceil(Fraction(radius) / Fraction(step)) + 4
-    g = generations_expected(radius, half)
+    g = generations_expected(radius, half, "1" if by == "edge" else cutoff)
     net = cut_star(half, cut, 3**g, edges, step)
     distances = placed_distances(net)
     best = (0.0, 0.0)
@@ -71,16 +74,23 @@ def widest(radius: str, half: int, cutoff: str, step: str) -> tuple[float, float
 
 
 def stage_one(
-    setting: Setting, *, half: int = 6, radius: str = "4", cutoff: str = "1/2", level: str = "1"
+    setting: Setting,
+    *,
+    half: int = 6,
+    radius: str = "5",
+    cutoff: str = "1/2",
+    level: str = "1",
+    by: str = "cutoff",
 ) -> Evidence:
     """Whether the sectors of the first stage stay below level pi inside the disk of radius R.
 
-    half: m. A sector that reaches pi has a singular edge there and covers nothing beyond it.
+    half: m; by: as in `widest`. A sector that reaches pi has a singular edge there and covers
+    nothing beyond it.
     """
     del setting
     failures, told = [], []
     for step in STEPS:
-        angle, far = widest(radius, half, cutoff, step)
+        angle, far = widest(radius, half, cutoff, step, by)
         told.append(f"{angle / pi:.3f} pi")
         if angle >= float(Fraction(level)) * pi:
             failures.append(
