@@ -102,6 +102,7 @@ _CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs grow by less",
                 run="checks.verify.greedy_growth:sub_exponential",
+                tier="full",
                 form="support",
                 routes=("energies in the limit of edge length 0", "interval of the best power"),
                 mutants=(
@@ -312,6 +313,7 @@ _CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="three daughters each",
                 run="checks.verify.branch_point_scales:recursion",
+                tier="full",
                 form="support",
                 routes=("branch points of runs", "powers of three"),
                 mutants=(

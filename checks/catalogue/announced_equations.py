@@ -230,6 +230,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="stars without cuts",
                 run="checks.verify.energy_figure:cuts_help",
+                tier="full",
                 routes=("finest stored nets", "theory.periodic_amsler (balls)"),
                 mutants=(Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),),
             ),
@@ -292,6 +293,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs grow by less",
                 run="checks.verify.greedy_growth:sub_exponential",
+                tier="full",
                 form="support",
                 routes=("energies in the limit of edge length 0", "interval of the best power"),
                 mutants=(
@@ -341,6 +343,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="numbers of the runs",
                 run="checks.verify.greedy_growth:number_law",
+                tier="full",
                 routes=("branch points of stored runs", "printed law"),
                 mutants=(
                     Mutant(name="R^(2/5) for the root", given={"power": "2/5"}, near=True),
@@ -350,6 +353,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="exp R",
                 run="checks.verify.greedy_growth:number_law",
+                tier="full",
                 form="corrected",
                 given={"factor": "0"},
                 routes=("branch points of stored runs", "law without the root"),

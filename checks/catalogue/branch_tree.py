@@ -322,6 +322,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="numbers of the runs",
                 run="checks.verify.greedy_growth:number_law",
+                tier="full",
                 part="runs",
                 routes=("branch points of stored runs", "printed law"),
                 mutants=(
@@ -332,6 +333,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="exp R",
                 run="checks.verify.greedy_growth:number_law",
+                tier="full",
                 form="corrected",
                 given={"factor": "0"},
                 part="runs",

@@ -161,6 +161,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="stars without cuts",
                 run="checks.verify.energy_figure:cuts_help",
+                tier="full",
                 part="energy",
                 routes=("finest stored nets", "theory.periodic_amsler (balls)"),
                 mutants=(Mutant(name="from R = 5/2 on", given={"lowest": "5/2"}, near=True),),
@@ -168,6 +169,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="three daughters each",
                 run="checks.verify.branch_point_scales:recursion",
+                tier="full",
                 part="undulations",
                 routes=("branch points of runs", "powers of three"),
                 mutants=(

@@ -40,6 +40,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="below one branch point",
                 run="checks.verify.energy_figure:below_amsler",
+                tier="full",
                 part="one branch point",
                 routes=(
                     "finest stored nets and the limit of edge length 0",
@@ -131,6 +132,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs grow by less",
                 run="checks.verify.greedy_growth:sub_exponential",
+                tier="full",
                 form="support",
                 routes=("energies in the limit of edge length 0", "interval of the best power"),
                 mutants=(
@@ -154,6 +156,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="below one branch point",
                 run="checks.verify.energy_figure:below_amsler",
+                tier="full",
                 form="support",
                 routes=(
                     "finest stored nets and the limit of edge length 0",

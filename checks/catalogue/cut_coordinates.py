@@ -20,6 +20,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="counted",
                 run="checks.verify.greedy_tree_shape:amsler_share",
+                tier="full",
                 routes=("sectors of runs", "one of three"),
                 mutants=(
                     Mutant(name="1 % off", given={"share": "101/300"}, near=True),
@@ -46,6 +47,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="turns of the sides",
                 run="checks.verify.greedy_tree_shape:one_geodesic",
+                tier="full",
                 routes=("sides of the sectors of runs", "number of geodesics as stated"),
                 mutants=(
                     Mutant(name="none", given={"sides": 0}, near=True),

@@ -260,6 +260,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="three daughters each",
                 run="checks.verify.branch_point_scales:recursion",
+                tier="full",
                 part="recursive",
                 routes=("branch points of runs", "powers of three"),
                 mutants=(

@@ -159,6 +159,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs grow by less",
                 run="checks.verify.greedy_growth:sub_exponential",
+                tier="full",
                 form="support",
                 routes=("energies in the limit of edge length 0", "interval of the best power"),
                 mutants=(

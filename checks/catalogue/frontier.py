@@ -30,6 +30,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="panels",
                 run="checks.verify.greedy_frontier:figure",
+                tier="full",
                 routes=("runs on three edge lengths", "printed curves"),
                 mutants=(
                     Mutant(name="f_1 1 % more", given={"share": "101/300"}, near=True),
@@ -176,6 +177,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="medians of the pseudo-Amsler nodes",
                 run="checks.verify.greedy_frontier:plots_agree",
+                tier="full",
                 routes=(
                     "runs with a thousand branch points or more",
                     "medians in bins of alpha_n^2",
@@ -188,6 +190,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="cutoffs from 3 pi/5 on",
                 run="checks.verify.greedy_frontier:plots_agree",
+                tier="full",
                 form="corrected",
                 given={"cutoffs": "large"},
                 routes=(
@@ -245,6 +248,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="families apart",
                 run="checks.verify.greedy_frontier:two_families",
+                tier="full",
                 routes=("sides of the sectors", "quotient by the printed f_1"),
                 mutants=(
                     Mutant(name="from alpha_n^2 = 1 on", given={"least": "1"}, near=True),
@@ -270,6 +274,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="counted",
                 run="checks.verify.greedy_frontier:amsler_nodes",
+                tier="full",
                 routes=("runs", "printed bound"),
                 mutants=(
                     Mutant(name="1 % more", given={"share": "101/300"}, near=True),
@@ -331,6 +336,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="counted",
                 run="checks.verify.greedy_frontier:violations",
+                tier="full",
                 routes=("runs", "printed bound"),
                 mutants=(
                     Mutant(name="Amsler nodes", given={"family": "amsler"}),
@@ -353,6 +359,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="counted",
                 run="checks.verify.greedy_frontier:pseudo_amsler_nodes",
+                tier="full",
                 routes=("runs", "printed bound"),
                 mutants=(
                     Mutant(name="f_2 a quarter more", given={"factor": "5/4"}),

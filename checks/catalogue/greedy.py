@@ -39,6 +39,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="as meant, up to an edge from the rim",
                 run="checks.verify.printed_result:covers",
+                tier="full",
                 form="corrected",
                 given={"variant": "meant", "short": "1"},
                 routes=("the algorithm in the disk", "random points of the disk"),
@@ -113,6 +114,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="V - E + F and degrees",
                 run="checks.verify.printed_result:quadgraph",
+                tier="full",
                 routes=("the algorithm in the disk", "Euler characteristic and degrees"),
                 mutants=(
                     Mutant(name="axes not shared", given={"share": False}, near=True),
@@ -219,6 +221,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="points around each branch point",
                 run="checks.verify.printed_result:around_branch_points",
+                tier="full",
                 routes=("the algorithm in the disk", "random points"),
                 mutants=(
                     Mutant(name="without the parent", given={"left_out": "parent"}),

@@ -22,6 +22,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="three orders",
                 run="checks.verify.printed_cuts:order_of_choice",
+                tier="full",
                 routes=("first, last and random choice", "paths and cuts of the sectors"),
                 mutants=(Mutant(name="7 cuts at most", given={"most": 7}, near=True),),
             ),
@@ -45,6 +46,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="cuts of discrete.greedy",
                 run="checks.verify.printed_cuts:cut_place",
+                tier="full",
                 routes=(
                     "the algorithm in the disk",
                     "angles carried intrinsically (discrete.greedy)",
@@ -74,6 +76,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="cuts of discrete.greedy",
                 run="checks.verify.printed_cuts:cut_row",
+                tier="full",
                 routes=(
                     "the algorithm in the disk",
                     "angles carried intrinsically (discrete.greedy)",
@@ -157,12 +160,14 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="with the sign",
                 run="checks.verify.printed_cuts:stops",
+                tier="full",
                 routes=("the algorithm in the disk", "largest angle at the end"),
                 mutants=(Mutant(name="7 cuts at most", given={"most": 7}, near=True),),
             ),
             Check(
                 name="without it",
                 run="checks.verify.printed_cuts:stops",
+                tier="full",
                 form="corrected",
                 given={"variant": "meant"},
                 routes=("the algorithm in the disk", "largest angle at the end"),
@@ -200,6 +205,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="each sector by itself",
                 run="checks.verify.printed_cuts:local_cut",
+                tier="full",
                 routes=("the cuts of a run", "the sector filled again from its axes"),
                 mutants=(Mutant(name="one line more", given={"more": 1}, near=True),),
             ),

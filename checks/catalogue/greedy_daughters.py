@@ -22,6 +22,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="principal arguments",
                 run="checks.verify.printed_daughters:middle_axes",
+                tier="full",
                 routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
                 mutants=(
                     Mutant(
@@ -34,6 +35,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="arguments from w_1 on",
                 run="checks.verify.printed_daughters:middle_axes",
+                tier="full",
                 form="corrected",
                 given={"variant": "meant"},
                 routes=("(eq:trisect), (eq:poincare-surgery)", "angles at the cut"),
@@ -106,6 +108,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="points around the cut",
                 run="checks.verify.printed_result:around_branch_points",
+                tier="full",
                 routes=("the algorithm in the disk", "random points"),
                 mutants=(
                     Mutant(name="without the middle one", given={"left_out": "A"}, near=True),
@@ -150,6 +153,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="nodes in the disk",
                 run="checks.verify.printed_nodes:lost_nodes",
+                tier="full",
                 routes=("the algorithm in the disk", "nodes reached before a fold"),
                 mutants=(
                     Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
@@ -159,6 +163,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="points of the disk",
                 run="checks.verify.printed_nodes:rim_quads",
+                tier="full",
                 form="support",
                 given={"short": "1"},
                 routes=("the algorithm in the disk", "random points"),
@@ -180,6 +185,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="pieces and Euler characteristic",
                 run="checks.verify.printed_nodes:staircase",
+                tier="full",
                 routes=("the algorithm in the disk", "V - E + F of the kept quads"),
                 mutants=(
                     Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
@@ -215,6 +221,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="without a sign",
                 run="checks.verify.printed_daughters:daughter_angles",
+                tier="full",
                 form="corrected",
                 given={"variant": "meant"},
                 routes=("(eq:angle)", "the interval from 0 to phi*"),

@@ -237,6 +237,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs",
                 run="checks.verify.greedy_dual_result:depth",
+                tier="full",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
                     Mutant(name="g + 1", given={"more": 1}, near=True),
@@ -246,6 +247,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="at least g",
                 run="checks.verify.greedy_dual_result:depth",
+                tier="full",
                 form="corrected",
                 given={"exactly": False},
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),

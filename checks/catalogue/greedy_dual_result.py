@@ -32,6 +32,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="number of branch points",
                 run="checks.verify.greedy_dual_result:branch_points",
+                tier="full",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
                     Mutant(name="g - 1", given={"shift": -1}, near=True),
@@ -41,6 +42,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="n in place of g",
                 run="checks.verify.greedy_dual_result:branch_points",
+                tier="full",
                 form="corrected",
                 given={"by": "n"},
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
@@ -78,6 +80,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="any move of the corner",
                 run="checks.verify.greedy_dual_stages:moves_outward",
+                tier="full",
                 routes=(
                     "nets before and after the corner moves",
                     "distances by SL(2, R) frames",
@@ -89,6 +92,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="both coordinates grow",
                 run="checks.verify.greedy_dual_stages:moves_outward",
+                tier="full",
                 form="corrected",
                 given={"both": True},
                 routes=(
@@ -139,6 +143,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs",
                 run="checks.verify.greedy_dual_result:ends",
+                tier="full",
                 routes=("runs of discrete.greedy", "area of the disk in closed form"),
                 mutants=(
                     Mutant(name="1300 cuts", given={"most": 1300}, near=True),
@@ -168,6 +173,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="sectors never cut",
                 run="checks.verify.greedy_dual_result:sectors",
+                tier="full",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
                     Mutant(name="g - 1", given={"shift": -1}, near=True),
@@ -178,6 +184,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="sectors never cut, n in place of g",
                 run="checks.verify.greedy_dual_result:sectors",
+                tier="full",
                 form="corrected",
                 given={"by": "n"},
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
@@ -244,6 +251,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs",
                 run="checks.verify.greedy_dual_result:least_angle",
+                tier="full",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(
                     Mutant(name="g - 1", given={"shift": -1}, near=True),
@@ -253,6 +261,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="n in place of g",
                 run="checks.verify.greedy_dual_result:least_angle",
+                tier="full",
                 form="support",
                 given={"by": "n"},
                 routes=("runs of discrete.greedy", "3^-n pi/m, n by the tree of the run"),
@@ -280,6 +289,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="runs, C = 1.1",
                 run="checks.verify.greedy_dual_result:energy",
+                tier="full",
                 routes=("runs of discrete.greedy", "m_0 by the mirror line (mpmath)"),
                 mutants=(Mutant(name="C = 1", given={"constant": "1"}, near=True),),
             ),

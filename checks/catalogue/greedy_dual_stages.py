@@ -276,6 +276,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="first stage, R = 5",
                 run="checks.verify.greedy_dual_stages:stage_one",
+                tier="full",
                 routes=(
                     "angles of nets of two edge lengths",
                     "distances by SL(2, R) frames",
@@ -285,6 +286,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="first stage, R = 4",
                 run="checks.verify.greedy_dual_stages:stage_one",
+                tier="full",
                 form="corrected",
                 given={"radius": "4"},
                 routes=(

@@ -66,6 +66,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="lines of all sectors",
                 run="checks.verify.printed_start:enough_nodes",
+                tier="full",
                 routes=("the algorithm in the disk", "(eq:hyp_radius)"),
                 mutants=(Mutant(name="N = R/Delta", given={"factor": "1"}, near=True),),
             ),
@@ -194,6 +195,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="nodes in the disk",
                 run="checks.verify.printed_nodes:lost_nodes",
+                tier="full",
                 routes=("the algorithm in the disk", "nodes reached before a fold"),
                 mutants=(
                     Mutant(name="a disk of 0.95 R", given={"radius": "19/20"}, near=True),
@@ -203,6 +205,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="points of the disk",
                 run="checks.verify.printed_nodes:rim_quads",
+                tier="full",
                 form="support",
                 given={"short": "1"},
                 routes=("the algorithm in the disk", "random points"),
@@ -224,6 +227,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="pieces and Euler characteristic",
                 run="checks.verify.printed_nodes:staircase",
+                tier="full",
                 routes=("the algorithm in the disk", "V - E + F of the kept quads"),
                 mutants=(
                     Mutant(name="an inner node dropped", given={"dropped": 1}, near=True),
@@ -246,6 +250,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="law of cosines",
                 run="checks.verify.printed_nodes:angles_at_nodes",
+                tier="full",
                 routes=("(eq:angle)", "three distances"),
                 mutants=(
                     Mutant(name="without the conjugate", given={"conjugated": False}),

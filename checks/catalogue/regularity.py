@@ -278,6 +278,7 @@ CLAIMS: tuple[Claim, ...] = (
             Check(
                 name="three daughters each",
                 run="checks.verify.branch_point_scales:recursion",
+                tier="full",
                 form="support",
                 routes=("branch points of runs", "powers of three"),
                 mutants=(
