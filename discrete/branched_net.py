@@ -276,6 +276,8 @@ def _parent(net: BranchedNet, number: int, apex: tuple[int, int]) -> Placed:
         raise SurgeryError(f"the net has no sector {number}")
     place = net.placed[number]
     n, m = place.sector.shape
+    if not isinstance(apex, Sequence) or len(apex) != 2:
+        raise SurgeryError(f"the apex {apex!r} is no vertex (i, j) of sector {number}")
     for index in apex:
         whole_number(index, "an index of the apex")
     if place.cut is not None:

@@ -114,8 +114,10 @@ def is_finite(number: Any) -> bool:
         return False
     if isinstance(number, float | np.floating):
         return isfinite(number)
+    if not hasattr(number, "is_finite"):
+        return bool(number - number == 0)  # of mpf or complex: false for NaN and infinities
     # A method of balls, a property (perhaps None, for unknown) of symbols.
-    found = getattr(number, "is_finite", True)
+    found = number.is_finite
     return (found() if callable(found) else found) is not False
 
 

@@ -36,7 +36,8 @@ def require_on_space(space: SpaceForm, p: Triple, name: str) -> None:
     if not all(isfinite(entry) for entry in p):
         raise NotFiniteError(f"vertex {name} has a coordinate that is not finite: {tuple(p)}")
     defect = space.residual(p)
-    if abs(defect) > ON_SPACE * max(1.0, p[0] * p[0]) or (space.curvature < 0 and p[0] <= 0):
+    near = abs(defect) <= ON_SPACE * max(1.0, p[0] * p[0])  # false for NaN, where p0^2 overflows
+    if not near or (space.curvature < 0 and p[0] <= 0):
         raise OffSpaceError(
             f"vertex {name} = {tuple(p)} is no point of {space.name}: <x, x> = "
             f"{space.dot(p, p)}, expected {space.curvature}"
@@ -59,9 +60,12 @@ def require_not_antipodal(space: SpaceForm, p1: Triple, p2: Triple, names: str) 
 def closed_quad(space: SpaceForm, p: Triple, p1: Triple, p2: Triple) -> Triple:
     """Vertex that closes a Chebyshev quad whose float vertices come from a user.
 
-    Raises NotFiniteError, OffSpaceError, AntipodalError, naming the vertex.
+    Raises NotFiniteError, OffSpaceError, AntipodalError, naming the vertex; also where so long
+    edges of H^2 leave p12 without digits.
     """
     for name, vertex in (("p", p), ("p1", p1), ("p2", p2)):
         require_on_space(space, vertex, name)
     require_not_antipodal(space, p1, p2, "p1 and p2")
-    return close_quad(space.dot, p, p1, p2)
+    p12 = close_quad(space.dot, p, p1, p2)
+    require_on_space(space, p12, "p12")
+    return p12

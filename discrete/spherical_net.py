@@ -14,9 +14,10 @@ import numpy.typing as npt
 from discrete import geodesics
 from discrete.asymptotic_complex import AsymptoticComplex
 from discrete.complex_surgery import boundary_segment
-from discrete.errors import ShapeError
+from discrete.errors import CoincidentVerticesError, ShapeError
 from discrete.gluing import Seam, fan, glued, grid
 from discrete.goursat_fill import fill
+from discrete.quad_rule import require_not_antipodal, require_on_space
 from discrete.signed_graph import IntArray
 from discrete.space_forms import S2, Scalar, Triple, cross_s2, dot_s2
 
@@ -26,7 +27,12 @@ ObjectArray = npt.NDArray[Any]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SphericalNet:
-    """Unit normals at the vertices of an asymptotic complex. Raises ShapeError."""
+    """Unit normals at the vertices of an asymptotic complex.
+
+    Normals in floats are checked, those of the ends of an edge against one another as well. Raises
+    ShapeError, NotFiniteError, OffSpaceError, CoincidentVerticesError, AntipodalError, naming the
+    vertex.
+    """
 
     complex: AsymptoticComplex
     normals: tuple[Triple, ...]
@@ -36,6 +42,23 @@ class SphericalNet:
             raise ShapeError(
                 f"{len(self.normals)} normals for {self.complex.vertex_count} vertices"
             )
+        _require_floats(self.complex, self.normals)
+
+
+def _require_floats(complex_: AsymptoticComplex, normals: tuple[Triple, ...]) -> None:
+    """Refuse normals in floats that are no unit vectors, or no edge of the net joins."""
+    if not all(isinstance(entry, float) for normal in normals for entry in normal):
+        return  # balls, fractions and symbols are for those who know what they prove
+    for vertex, normal in enumerate(normals):
+        require_on_space(S2, normal, str(vertex))
+    for start, end in complex_.edges.tolist():
+        a, b = normals[start], normals[end]
+        if a == b:
+            raise CoincidentVerticesError(
+                f"vertices {start} and {end} of an edge have one normal, {tuple(a)}: the edge has "
+                "no length, take another normal"
+            )
+        require_not_antipodal(S2, a, b, f"{start} and {end}")
 
 
 def _sector_normals(number: int, first: Curve, second: Curve) -> list[list[Triple]]:

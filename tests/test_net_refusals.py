@@ -1,11 +1,12 @@
 """Nonsense given to the nets: a named error that tells where, never a NaN, never numpy's own."""
 
 from fractions import Fraction
-from math import inf, nan, pi
+from math import cosh, inf, nan, pi, sinh
 
 import numpy as np
 import pytest
 from flint import arb
+from mpmath import mpf
 
 from discrete import branched_net, complex_errors, errors
 from discrete.asymptotic_complex import AsymptoticComplex
@@ -13,7 +14,15 @@ from discrete.charges import charges
 from discrete.complex_errors import AngleSumError, ComplexError, NormalError, PolygonError
 from discrete.complex_surgery import attached, boundary_segment, restricted, surgery
 from discrete.dual_cycles import crossings
-from discrete.errors import AngleError, DiscreteError, NotFiniteError, ShapeError
+from discrete.errors import (
+    AngleError,
+    AntipodalError,
+    CoincidentVerticesError,
+    DiscreteError,
+    NotFiniteError,
+    OffSpaceError,
+    ShapeError,
+)
 from discrete.face_coordinates import FaceCoordinates
 from discrete.face_regions import grown_disk
 from discrete.gluing import Seam, fan, glued, rectangle, side, star
@@ -21,8 +30,11 @@ from discrete.hamburger import HamburgerPolygon, polygon_around
 from discrete.index import normal_winding, ramified_vertex
 from discrete.k_surface import k_surface
 from discrete.lelieuvre import closure, positions
+from discrete.quad_rule import closed_quad
 from discrete.sector import amsler_sector
+from discrete.space_forms import H2
 from discrete.space_frame import SpaceFrame
+from discrete.spherical_net import SphericalNet
 from discrete.vertex_fan import vertex_fan
 
 BLOCK, MONKEY = rectangle(3, 2), star([2] * 6)
@@ -43,6 +55,26 @@ def seam(**given):
 def frame(**given):
     axes = {"point": np.zeros(3), "normal": np.eye(3)[2], "along_u": np.eye(3)[0], "side": 1}
     return SpaceFrame(**{**axes, **given})
+
+
+#: The vertex at the centre of the disk model of H^2.
+ORIGIN = (1.0, 0.0, 0.0)
+
+
+def far(distance):
+    return cosh(distance), sinh(distance), 0.0
+
+
+def spherical(normals):
+    return SphericalNet(complex=MONKEY, normals=tuple(normals))
+
+
+def opposite():
+    """Normals that the first edge joins to their antipodes."""
+    normals = [tuple(map(float, normal)) for normal in NORMALS]
+    start, end = MONKEY.edges[0]
+    normals[end] = tuple(-x for x in normals[start])
+    return normals
 
 
 REFUSED = {
@@ -122,6 +154,21 @@ REFUSED = {
     "normal of NaN": (lambda: positions(np.full((3, 2, 2), nan), np.zeros(3)), NotFiniteError),
     "closure of NaN": (lambda: closure(np.full((3, 2, 2), nan)), NotFiniteError),
     "no quad": (lambda: closure(np.zeros((3, 1, 1))), ShapeError),
+    "quad that overflows": (lambda: closed_quad(H2, ORIGIN, (1e200, 1e200, 0.0), ORIGIN),
+                            OffSpaceError),
+    "quad without digits": (lambda: closed_quad(H2, ORIGIN, far(400.0), far(-400.0)),
+                            OffSpaceError),
+    "apex of one index": (lambda: branched_net.surgery(NET, 0, (2,)), ComplexError),
+    "apex of three indices": (lambda: branched_net.surgery(NET, 0, (2, 2, 2)), ComplexError),
+    "apex of a number": (lambda: branched_net.surgery(NET, 0, 2), ComplexError),
+    "angles of mpmath's NaN": (lambda: charges(WHOLE, np.full((24, 4), mpf("nan"), dtype=object),
+                                               straight_angle=mpf(pi)), AngleSumError),
+    "angles of a complex NaN": (lambda: charges(WHOLE, np.full((24, 4), complex(nan, 0)),
+                                                straight_angle=pi), AngleSumError),
+    "spherical normals of NaN": (lambda: spherical([(nan, 0.0, 0.0)] * 37), NotFiniteError),
+    "long spherical normals": (lambda: spherical([(2.0, 0.0, 0.0)] * 37), OffSpaceError),
+    "one spherical normal": (lambda: spherical([(1.0, 0.0, 0.0)] * 37), CoincidentVerticesError),
+    "antipodal spherical normals": (lambda: spherical(opposite()), AntipodalError),
 }  # fmt: skip
 
 
