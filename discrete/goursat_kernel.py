@@ -16,8 +16,8 @@ from discrete.goursat_fill import LOST, require_nodes, require_sides
 from discrete.quad_rule import NEARLY_ANTIPODAL, close_quad
 from discrete.space_forms import Product, SpaceForm
 
-#: Found by timing: writing out costs more than computing once the rows, each on memory pages of its
-#: own, are more than the processor's table of pages for stores holds.
+#: Found by timing on a Xeon: of 32 rows writing out takes three times as long as computing, of 16
+#: about as long. Each row lies on memory pages of its own.
 ROWS = 16
 STEPS = 64
 

@@ -112,8 +112,8 @@ CLAIMS: tuple[Claim, ...] = (
         hypotheses=(
             (
                 "(used, not stated) $m_0$ is the least $m$ for which Amsler sectors of angle "
-                r"$\pi/m$ cover the disk of radius $R$ without a singular edge, or as well the "
-                r"least for which $\varphi \leq \phi^*$ there"
+                r"$\pi/m$ cover the disk of radius $R$ without a singular edge; the same holds of "
+                r"the least for which $\varphi \leq \phi^*$ there, tried for $\phi^* = \pi/2$"
             ),
             (
                 r"(used, not stated) $\sim$ means that the quotient tends to $1$ or at least "
@@ -191,7 +191,8 @@ CLAIMS: tuple[Claim, ...] = (
             conclusion_survives=True,
             remark=(
                 "Read as a bound from above, $m_0 = O(e^R)$ is all that items (1) and (6) use: "
-                r"$g \sim R/\log 3$ and $\mathcal{E}_\infty < C' e^R$ stay."
+                r"$g \sim R/\log 3$ and $\mathcal{E}_\infty < C' e^R$ stay. Where $m_0$ is to keep "
+                r"$\varphi \leq \phi^*$, $\sqrt{\pi/8}$ gives way to another constant."
             ),
         ),
     ),

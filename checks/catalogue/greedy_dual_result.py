@@ -282,6 +282,10 @@ CLAIMS: tuple[Claim, ...] = (
             _MONO,
             _DUAL,
             r"(used, not stated) $C$ may depend on $\phi^*$",
+            (
+                r"(used, not stated) $g$ by the $m_0$ that keeps $\varphi < \pi$: by $\varphi \leq "
+                r"\phi^*$ it is not smaller, and the bound holds all the more"
+            ),
             "(read so) on the radii looked at, up to 7",
         ),
         rests_on=("4.1.dual-6-smallest-angle", "ebound"),
@@ -314,14 +318,25 @@ CLAIMS: tuple[Claim, ...] = (
             r"$C\, 3^g m < C' e^R$ with a constant $C'$ independent of $R$, hence "
             r"$\mathcal{E}_\infty < C' e^R$."
         ),
-        hypotheses=(_MONO, _DUAL, r"$m_0 \sim C e^R$"),
+        hypotheses=(
+            _MONO,
+            _DUAL,
+            r"$m_0 \sim C e^R$",
+            (
+                r"(used, not stated) $m_0$ keeps $\varphi \leq \pi/2$ in the disk, or only "
+                r"$\varphi < \pi$; for $\phi^* < \pi/2$, $C'$ depends on $\phi^*$"
+            ),
+        ),
         rests_on=("4.1.dual-6-energy-in-generations", "4.1.dual-saddle-order"),
         checks=(
             Check(
                 name="with C' = 4.2",
                 run=_ORDER + "energy",
                 tier="full",
-                routes=("theory.periodic_amsler_bounds", "m_0 by the mirror line (mpmath)"),
+                routes=(
+                    "theory.periodic_amsler_bounds",
+                    "m_0 by the mirror line up to phi = pi/2 (mpmath)",
+                ),
                 mutants=(
                     Mutant(name="e^(9R/10)", given={"rate": "9/10"}, near=True),
                     Mutant(name="C' = 0.1", given={"most": "1/10"}),

@@ -162,12 +162,13 @@ def depth_growth(setting: Setting, *, rate: str = "1") -> Evidence:
 def energy(setting: Setting, *, most: str = "21/5", rate: str = "1") -> Evidence:
     """Bound (2/pi) 3^g m < most e^(rate R) for all R >= 1, by 3^g m < 3 m_0.
 
-    Refuted where (2/pi) m_0, which is not above the left side, is larger.
+    m_0 keeps phi <= pi/2 in the disk, and so is not below that which keeps phi < pi. Refuted where
+    (2/pi) m_0, which is not above the left side, is larger.
     """
 
     def rows() -> Iterator[Row]:
         c = arb(637) / 1000
-        for radius, m in orders():
+        for radius, m in orders("1/2"):
             ball, found = (arb(mp.nstr(x, 20)) for x in (radius, m))
             yield (
                 f"R = {mp.nstr(radius, 6)}",

@@ -110,7 +110,8 @@ def lines(rows: list[dict[str, Any]], net: tuple[float, int]) -> list[str]:
     found += [
         "",
         f"Net, normals and surface of R = 4 at 0.02, {vertices} vertices: {seconds:.2g} s.",
-        "Of more cuts than 10^6 a run is partial unless `--max-cuts` is raised.",
+        "",
+        "A run of more than 10^6 cuts stays partial unless `--max-cuts` is raised.",
     ]
     return found
 
